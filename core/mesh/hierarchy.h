@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Which refinements of a cage the limit surface can be evaluated on.
+#pragma once
+
+#include "base/result.h"
+#include "mesh/subdivision.h"
+
+namespace umbilic {
+
+inline constexpr int kMinValence = 3;
+inline constexpr int kMaxValence = 24;
+
+/// Whether every face is a quad with at most one extraordinary vertex.
+bool is_evaluable(const PolygonMesh& mesh);
+
+/// The smallest number of Catmull-Clark steps after which the mesh is evaluable: 0, 1 or 2.
+/// Fails on a vertex of valence 2 and on a vertex or a face of more than kMaxValence edges, and names it.
+Result<int> required_level(const PolygonMesh& mesh);
+
+}  // namespace umbilic
