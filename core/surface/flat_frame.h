@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The unit normal that a flat cap projects along, as a function of the control points, and its pullback.
+#pragma once
+
+#include <vector>
+
+#include "surface/layout.h"
+
+namespace umbilic {
+
+struct FlatFrame {
+  Vector3 tangents[2];
+  Vector3 normal;  ///< unit
+  double length;   ///< of the tangents' cross product
+};
+
+/// From the limit tangents at the cap's extraordinary vertex.
+FlatFrame flat_frame(const Cap& cap, const Points& points);
+
+/// Adds the derivative of normal . normal_adjoint to `gradient`.
+void pull_back_frame(const Cap& cap, const FlatFrame& frame, const Vector3& normal_adjoint, Points& gradient);
+
+/// Of all caps of a layout; empty unless they are flat.
+std::vector<FlatFrame> flat_frames(const PatchLayout& layout, const Points& points);
+
+}  // namespace umbilic

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Jets of the whole surface, block by block, and the pullback of their adjoints to the control points.
+///
+/// A jet holds the derivatives of order 1 to 3 in the order of surface/derivatives.h. Blocks live in one buffer that is
+/// reused: nothing is allocated during an evaluation, and the memory does not grow with the mesh.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "surface/layout.h"
+
+namespace umbilic {
+
+/// The adjoints that a visitor may leave: the first `derivatives` of each jet, 2, 5 or 9.
+struct AdjointChannel {
+  int derivatives;
+};
+
+/// Jets of some patches of one kind. Sample s of patch p, derivative d, coordinate c stands at
+/// [((p * 3 + c) * derivatives + d) * samples + s], in `jets` and, with their own number of derivatives, in the
+/// adjoints.
+struct JetBlock {
+  int patches;
+  int samples;            ///< per patch, a multiple of kLaneCount; surplus ones have weight 0
+  int derivatives;        ///< in `jets`
+  const double* weights;  ///< of each sample of a patch, in the measure du dv
+  const double* jets;
+  double* const* adjoints;  ///< of each channel, to be overwritten; null without channels
+};
+
+using JetVisitor = std::function<void(const JetBlock&)>;
+
+class JetEvaluator {
+ public:
+  /// `layout` outlives the evaluator.
+  JetEvaluator(const PatchLayout& layout, const QuadratureRule& rule);
+  ~JetEvaluator();
+
+  const PatchLayout& layout() const { return layout_; }
+
+  /// Calls `visit` for blocks that cover each patch once, in a fixed order. `derivatives` is 5 or 9. For every channel,
+  /// `gradients` receives the sum of adjoint times derivative of the jets by the control points, control_count x 3.
+  void evaluate(const Points& control, int derivatives, const std::vector<AdjointChannel>& channels,
+                const JetVisitor& visit, std::vector<Points>& gradients) const;
+
+  /// Samples with weight > 0 that one evaluation visits.
+  long sample_count() const;
+  /// Of all shared tables.
+  std::size_t table_bytes() const;
+
+  struct Group;
+
+ private:
+  const PatchLayout& layout_;
+  std::vector<std::unique_ptr<Group>> groups_;
+};
+
+}  // namespace umbilic

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Walks the quads around each extraordinary vertex and around each regular face.
+#include "surface/layout.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace umbilic {
+namespace {
+
+/// Half-edges along u of the neighbouring cells, for the half-edge h along u of a cell.
+int cell_right(const PolygonMesh& m, int h) { return m.next(m.twin(m.next(h))); }
+int cell_above(const PolygonMesh& m, int h) { return m.twin(m.next(m.next(h))); }
+int cell_left(const PolygonMesh& m, int h) { return m.previous(m.twin(m.previous(h))); }
+int cell_below(const PolygonMesh& m, int h) { return m.next(m.next(m.twin(h))); }
+
+/// Half-edge along u of the cell (i, j) of the sector that starts with the cell of `h`.
+int sector_cell(const PolygonMesh& m, int h, int i, int j) {
+  for (; j > 0; --j) h = cell_above(m, h);
+  for (; i > 0; --i) h = cell_right(m, h);
+  return h;
+}
+
+std::vector<int> spokes(const PolygonMesh& mesh, int vertex) {
+  std::vector<int> result;
+  int h = mesh.outgoing(vertex);
+  do {
+    result.push_back(h);
+    h = mesh.rotate(h);
+  } while (h != mesh.outgoing(vertex));
+  return result;
+}
+
+/// Control points of the first `rings` rings in the order of RingNet, the others -1.
+std::vector<int> gather_net(const PolygonMesh& mesh, int vertex, const RingNet& net, int rings) {
+  std::vector<int> points(net.size(), -1);
+  points[0] = vertex;
+  const std::vector<int> spoke = spokes(mesh, vertex);
+  for (int sector = 0; sector < net.valence(); ++sector) {
+    for (int b = 0; b <= rings; ++b) {
+      for (int a = 1; a <= rings; ++a) {
+        const int h = sector_cell(mesh, spoke[sector], a - 1, std::min(b, rings - 1));
+        points[net.index(sector, a, b)] = b < rings ? mesh.target(h) : mesh.target(mesh.next(h));
+      }
+    }
+  }
+  return points;
+}
+
+/// The 4 x 4 control points of a regular face, u fastest.
+std::vector<int> gather_regular(const PolygonMesh& mesh, int h) {
+  std::vector<int> points(16);
+  int row = cell_below(mesh, cell_left(mesh, h));
+  for (int b = 0; b < 4; ++b) {
+    const bool top = b == 3;
+    int cell = row;
+    for (int a = 0; a < 3; ++a) {
+      const int along = top ? mesh.twin(mesh.next(mesh.next(cell))) : cell;
+      points[4 * b + a] = mesh.origin(along);
+      if (a == 2) points[4 * b + 3] = mesh.target(along);
+      if (a < 2) cell = cell_right(mesh, cell);
+    }
+    if (b < 2) row = cell_above(mesh, row);
+  }
+  return points;
+}
+
+/// The faces of the vertex's first `rings` rings; a face met twice stands twice.
+std::vector<int> faces_around(const PolygonMesh& mesh, int vertex, int rings) {
+  std::vector<int> faces;
+  for (const int spoke : spokes(mesh, vertex)) {
+    for (int j = 0; j < rings; ++j) {
+      for (int i = 0; i < rings; ++i) faces.push_back(mesh.face(sector_cell(mesh, spoke, i, j)));
+    }
+  }
+  return faces;
+}
+
+}  // namespace
+
+PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap)
+    : cap_(cap), control_count_(mesh.vertex_count()), point_count_(control_count_), face_count_(mesh.face_count()) {
+  find_caps(mesh);
+  std::vector<bool> capped(mesh.face_count(), false);
+  for (int c = 0; c < static_cast<int>(caps_.size()); ++c) {
+    const Cap& here = caps_[c];
+    const RingNet& net = cap_sector(here.valence, here.shape).net();
+    const std::vector<int> spoke = spokes(mesh, here.vertex);
+    for (int cell = 0; cell < cell_count(here.shape); ++cell) {
+      const PatchKind kind{here.valence, here.shape, cell};
+      const PatchColumns columns = patch_columns(kind);
+      for (int sector = 0; sector < here.valence; ++sector) {
+        std::vector<int> points;
+        for (const int i : columns.net) {
+          points.push_back(here.net[i == 0 ? 0 : 1 + (i - 1 + 12 * sector) % (net.size() - 1)]);
+          assert(points.back() >= 0);
+        }
+        for (int i = 0; i < columns.coefficients; ++i) {
+          points.push_back(here.first_coefficient + sector * columns.coefficients + i);
+        }
+        const int h = sector_cell(mesh, spoke[sector], cell % 2, cell / 2);
+        capped[mesh.face(h)] = true;
+        add_patch(kind, h, c, points);
+      }
+    }
+  }
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    if (!capped[f]) add_patch({}, mesh.halfedge(f, 0), -1, gather_regular(mesh, mesh.halfedge(f, 0)));
+  }
+  std::sort(sets_.begin(), sets_.end(), [](const PatchSet& a, const PatchSet& b) { return a.kind < b.kind; });
+}
+
+void PatchLayout::find_caps(const PolygonMesh& mesh) {
+  std::vector<int> extraordinary;
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.is_extraordinary(v)) extraordinary.push_back(v);
+  }
+  std::vector<int> covered(mesh.face_count(), 0);
+  for (const int v : extraordinary) {
+    for (const int f : faces_around(mesh, v, 2)) ++covered[f];
+  }
+  for (const int v : extraordinary) {
+    CapShape shape = cap_ == CapKind::kNone ? CapShape::kBare : CapShape::kFlat;
+    if (cap_ == CapKind::kSmooth) {
+      const std::vector<int> faces = faces_around(mesh, v, 2);
+      const bool room = std::all_of(faces.begin(), faces.end(), [&](int f) { return covered[f] == 1; });
+      shape = room ? CapShape::kTwoRing : CapShape::kOneRing;
+    }
+    const int valence = mesh.valence(v);
+    caps_.push_back(
+        {v, valence, shape, gather_net(mesh, v, cap_sector(valence, shape).net(), control_rings(shape)), point_count_});
+    point_count_ += valence * coefficient_count(shape);
+  }
+}
+
+void PatchLayout::add_patch(PatchKind kind, int halfedge, int cap, const std::vector<int>& points) {
+  auto set = std::find_if(sets_.begin(), sets_.end(), [&](const PatchSet& s) { return s.kind == kind; });
+  if (set == sets_.end()) set = sets_.insert(set, {kind, static_cast<int>(points.size()), {}, {}, {}});
+  set->halfedges.push_back(halfedge);
+  set->points.insert(set->points.end(), points.begin(), points.end());
+  if (cap >= 0) set->caps.push_back(cap);
+}
+
+namespace {
+
+/// Calls `visit(point, weight, coefficient row)` for sector by sector of a cap's fit.
+template <class Visit>
+void for_each_sector(const Cap& cap, const Visit& visit) {
+  const Eigen::MatrixXd& fit = cap_sector(cap.valence, cap.shape).fit();
+  const int size = static_cast<int>(fit.cols());
+  std::vector<int> rotated(size);
+  for (int sector = 0; sector < cap.valence; ++sector) {
+    for (int i = 0; i < size; ++i) rotated[i] = cap.net[i == 0 ? 0 : 1 + (i - 1 + 12 * sector) % (size - 1)];
+    visit(fit, rotated, cap.first_coefficient + sector * static_cast<int>(fit.rows()));
+  }
+}
+
+}  // namespace
+
+Points PatchLayout::extend(const Points& control) const {
+  assert(control.rows() == control_count_);
+  Points points(point_count_, 3);
+  points.topRows(control_count_) = control;
+  for (const Cap& cap : caps_) {
+    if (coefficient_count(cap.shape) == 0) continue;
+    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const std::vector<int>& net, int first) {
+      auto coefficients = points.middleRows(first, fit.rows());
+      coefficients.setZero();
+      for (int i = 0; i < fit.cols(); ++i) {
+        if (net[i] >= 0) coefficients.noalias() += fit.col(i) * control.row(net[i]);
+      }
+    });
+  }
+  return points;
+}
+
+void PatchLayout::pull_back(Points& gradient) const {
+  assert(gradient.rows() == point_count_);
+  for (const Cap& cap : caps_) {
+    if (coefficient_count(cap.shape) == 0) continue;
+    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const std::vector<int>& net, int first) {
+      for (int i = 0; i < fit.cols(); ++i) {
+        if (net[i] >= 0)
+          gradient.row(net[i]).noalias() += fit.col(i).transpose() * gradient.middleRows(first, fit.rows());
+      }
+    });
+  }
+  gradient.conservativeResize(control_count_, 3);
+}
+
+SparseMatrix PatchLayout::extension() const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int v = 0; v < control_count_; ++v) entries.emplace_back(v, v, 1);
+  for (const Cap& cap : caps_) {
+    if (coefficient_count(cap.shape) == 0) continue;
+    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const std::vector<int>& net, int first) {
+      for (int i = 0; i < fit.cols(); ++i) {
+        for (int k = 0; k < fit.rows(); ++k) {
+          if (net[i] >= 0) entries.emplace_back(first + k, net[i], fit(k, i));
+        }
+      }
+    });
+  }
+  SparseMatrix matrix(point_count_, control_count_);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+}  // namespace umbilic

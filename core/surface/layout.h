@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Which patches an evaluable mesh consists of, and which points each of them needs.
+///
+/// The points of a layout are the control points followed by the coefficients of all caps, a block for each sector.
+#pragma once
+
+#include <vector>
+
+#include "mesh/subdivision.h"
+#include "surface/basis_table.h"
+#include "surface/cap_kind.h"
+
+namespace umbilic {
+
+/// The neighbourhood of one extraordinary vertex.
+struct Cap {
+  int vertex = 0;
+  int valence = 0;
+  CapShape shape = CapShape::kBare;
+  std::vector<int> net;       ///< control points in the order of RingNet; -1 beyond the shape's control rings
+  int first_coefficient = 0;  ///< point of the layout; sector j starts j * coefficient_count(shape) later
+};
+
+/// All patches of one kind.
+struct PatchSet {
+  PatchKind kind;
+  int columns = 0;
+  std::vector<int> halfedges;  ///< of each patch: from its corner (0,0) along u
+  std::vector<int> points;     ///< patches x columns: points of the layout
+  std::vector<int> caps;       ///< of each patch at a cap: the cap
+
+  int count() const { return static_cast<int>(halfedges.size()); }
+};
+
+class PatchLayout {
+ public:
+  /// `mesh` is evaluable (mesh/hierarchy.h). Smooth caps take one ring where two would overlap.
+  PatchLayout(const PolygonMesh& mesh, CapKind cap);
+
+  int control_count() const { return control_count_; }
+  int point_count() const { return point_count_; }
+  int face_count() const { return face_count_; }
+  CapKind cap() const { return cap_; }
+  const std::vector<PatchSet>& sets() const { return sets_; }
+  const std::vector<Cap>& caps() const { return caps_; }
+
+  /// The control points, followed by the caps' coefficients that they decide.
+  Points extend(const Points& control) const;
+  /// Adds to the gradient with respect to the control points what the coefficients' part of `gradient` contributes, and
+  /// cuts it off.
+  void pull_back(Points& gradient) const;
+  /// point_count x control_count: `extend` as a matrix.
+  SparseMatrix extension() const;
+
+ private:
+  void find_caps(const PolygonMesh& mesh);
+  void add_patch(PatchKind kind, int halfedge, int cap, const std::vector<int>& points);
+
+  CapKind cap_;
+  int control_count_, point_count_, face_count_;
+  std::vector<Cap> caps_;
+  std::vector<PatchSet> sets_;
+};
+
+}  // namespace umbilic

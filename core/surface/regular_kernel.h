@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Sum-factorized evaluation of bicubic patches on a tensor grid of samples, and its transpose.
+///
+/// With B_k the k-th derivatives of the four B-splines at the nodes, the derivative (k, l) at (node i, node j) is
+/// sum_b B_l[j][b] (sum_a B_k[i][a] P[b][a]): the inner sum is shared by all j and l. Nodes along u stand in lanes.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "surface/quadrature.h"
+
+namespace umbilic {
+
+class RegularKernel {
+ public:
+  /// The rule's tensor product; nodes along u are padded to full lanes with weight 0.
+  explicit RegularKernel(int points_per_direction);
+
+  int samples() const { return width_ * points_; }
+  const Eigen::VectorXd& weights() const { return weights_; }  ///< sample j * width + i
+  std::size_t bytes() const { return sizeof(double) * (along_u_.size() + along_v_.size() + weights_.size()); }
+
+  /// jets[(c * derivatives + d) * samples + s] of order 1 and up from the points[16][3]; `derivatives` is 2, 5 or 9.
+  void jets(const double* points, int derivatives, double* jets) const;
+
+  /// The transpose: adds to gradient[16][3] from adjoints laid out as the jets.
+  void pull_back(const double* adjoint, int derivatives, double* gradient) const;
+
+ private:
+  int points_, width_;
+  std::vector<double> along_u_;  // [k][a][i], i < width
+  std::vector<double> along_v_;  // [l][j][b]
+  Eigen::VectorXd weights_;
+  mutable std::vector<double> partial_;  // [c][k][b][i]
+};
+
+}  // namespace umbilic
