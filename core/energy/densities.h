@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The integrands of all functionals as functions of II = (p, q, r) and C = (c0, …, c3), each with its gradient.
+///
+/// Angles: theta turns e1 into the principal direction of kappa1 >= kappa2; D = (kappa1 - kappa2)/2 is regularized
+/// once, here: D^2 = (p - r)^2/4 + q^2 + eta^2 (p^2 + 2 q^2 + r^2), eta = kUmbilicEta, so that cos 2theta = (p -
+/// r)/(2D) and sin 2theta = q/D go smoothly to 0 at umbilics, independently of frame and scale.
+#pragma once
+
+#include "energy/curvature.h"
+#include "energy/functional.h"
+
+namespace umbilic {
+
+/// Relative to the norm of II. Changes a density by the order of (eta |II| / (kappa1 - kappa2))^2.
+inline constexpr double kUmbilicEta = 1e-6;
+
+/// Keeps 0/0 out where II vanishes altogether; below any curvature whose square is representable.
+inline constexpr double kFlatFloor = 1e-290;
+
+/// cos 2theta and sin 2theta, and 1/D for their pullback.
+template <class T>
+struct PrincipalAngle {
+  T cosine, sine, inverse_d;
+
+  explicit PrincipalAngle(const Curvature<T>& k) {
+    const T half = 0.5 * (k.p - k.r);
+    const T norm = k.p * k.p + 2.0 * k.q * k.q + k.r * k.r;
+    inverse_d = 1.0 / sqrt(half * half + k.q * k.q + kUmbilicEta * kUmbilicEta * norm + kFlatFloor);
+    cosine = half * inverse_d;
+    sine = k.q * inverse_d;
+  }
+
+  /// Adds to the adjoint of (p, q, r) what the adjoints of cosine and sine contribute.
+  void pull_back(const Curvature<T>& k, const T& cosine_adjoint, const T& sine_adjoint, Curvature<T>& adjoint) const {
+    const T radial = -inverse_d * inverse_d * (cosine * cosine_adjoint + sine * sine_adjoint);
+    const T half = 0.5 * (k.p - k.r);
+    constexpr double eta2 = kUmbilicEta * kUmbilicEta;
+    const T d_half = inverse_d * cosine_adjoint + radial * half;
+    adjoint.p += 0.5 * d_half + radial * eta2 * k.p;
+    adjoint.r += radial * eta2 * k.r - 0.5 * d_half;
+    adjoint.q += inverse_d * sine_adjoint + radial * k.q * (1.0 + 2.0 * eta2);
+  }
+};
+
+/// Each density below returns its value and, for `scale` = the density's adjoint, adds the gradient times `scale` to
+/// `adjoint`.
+
+/// kappa1^2 + kappa2^2, in 1/length^2. Joshi & Sequin 2007, eq. 2.
+template <class T>
+T bending_density(const Curvature<T>& k, const T& scale, Curvature<T>& adjoint) {
+  adjoint.p += 2.0 * scale * k.p;
+  adjoint.q += 4.0 * scale * k.q;
+  adjoint.r += 2.0 * scale * k.r;
+  return k.p * k.p + 2.0 * k.q * k.q + k.r * k.r;
+}
+
+/// H^2, in 1/length^2. Willmore 1965.
+template <class T>
+T willmore_density(const Curvature<T>& k, const T& scale, Curvature<T>& adjoint) {
+  const T h = 0.5 * (k.p + k.r);
+  adjoint.p += scale * h;
+  adjoint.r += scale * h;
+  return h * h;
+}
+
+/// (dkappa1/de1)^2 + (dkappa2/de2)^2, in 1/length^4. Joshi & Sequin 2007, eq. 6. C along a direction at angle t is
+/// h1 . (cos t, sin t) + h3 . (cos 3t, sin 3t); C_111^2 + C_222^2 = |h1|^2 + |h3|^2 + 2 Re((h1 h3) e^(4 i theta)) with
+/// h1 h3 the complex product.
+template <class T>
+T mvs_density(const Curvature<T>& k, const PrincipalAngle<T>& angle, const T& scale, Curvature<T>& adjoint) {
+  const T x1 = 0.75 * (k.c[0] + k.c[2]), y1 = 0.75 * (k.c[1] + k.c[3]);
+  const T x3 = 0.25 * (k.c[0] - 3.0 * k.c[2]), y3 = 0.25 * (3.0 * k.c[1] - k.c[3]);
+  const T cos4 = angle.cosine * angle.cosine - angle.sine * angle.sine, sin4 = 2.0 * angle.cosine * angle.sine;
+  const T even = x1 * x3 - y1 * y3, odd = x1 * y3 + y1 * x3;
+
+  const T twice = 2.0 * scale;
+  const T dx1 = twice * (x1 + x3 * cos4 + y3 * sin4), dy1 = twice * (y1 - y3 * cos4 + x3 * sin4);
+  const T dx3 = twice * (x3 + x1 * cos4 + y1 * sin4), dy3 = twice * (y3 - y1 * cos4 + x1 * sin4);
+  adjoint.c[0] += 0.75 * dx1 + 0.25 * dx3;
+  adjoint.c[1] += 0.75 * (dy1 + dy3);
+  adjoint.c[2] += 0.75 * (dx1 - dx3);
+  adjoint.c[3] += 0.75 * dy1 - 0.25 * dy3;
+  angle.pull_back(k, 2.0 * twice * (even * angle.cosine + odd * angle.sine),
+                  2.0 * twice * (odd * angle.cosine - even * angle.sine), adjoint);
+  return x1 * x1 + y1 * y1 + x3 * x3 + y3 * y3 + 2.0 * (even * cos4 + odd * sin4);
+}
+
+/// |grad kappa1|^2 + |grad kappa2|^2 = 2 |grad H|^2 + 2 |grad D|^2, in 1/length^4. Joshi & Sequin 2007, eq. 7.
+template <class T>
+T mvs_cross_density(const Curvature<T>& k, const PrincipalAngle<T>& angle, const T& scale, Curvature<T>& adjoint) {
+  const T h1 = 0.5 * (k.c[0] + k.c[2]), h2 = 0.5 * (k.c[1] + k.c[3]);
+  const T a1 = 0.5 * (k.c[0] - k.c[2]), a2 = 0.5 * (k.c[1] - k.c[3]);
+  const T d1 = angle.cosine * a1 + angle.sine * k.c[1], d2 = angle.cosine * a2 + angle.sine * k.c[2];
+
+  const T dh1 = 4.0 * scale * h1, dh2 = 4.0 * scale * h2, dd1 = 4.0 * scale * d1, dd2 = 4.0 * scale * d2;
+  adjoint.c[0] += 0.5 * (dh1 + angle.cosine * dd1);
+  adjoint.c[1] += 0.5 * (dh2 + angle.cosine * dd2) + angle.sine * dd1;
+  adjoint.c[2] += 0.5 * (dh1 - angle.cosine * dd1) + angle.sine * dd2;
+  adjoint.c[3] += 0.5 * (dh2 - angle.cosine * dd2);
+  angle.pull_back(k, a1 * dd1 + a2 * dd2, k.c[1] * dd1 + k.c[2] * dd2, adjoint);
+  return 2.0 * (h1 * h1 + h2 * h2 + d1 * d1 + d2 * d2);
+}
+
+/// Mean over all directions of the squared derivative of the normal curvature, in 1/length^4. Mehlum & Tarrou 1998.
+template <class T>
+T mehlum_tarrou_density(const Curvature<T>& k, const T& scale, Curvature<T>& adjoint) {
+  const T eighth = 0.125 * scale;
+  const T g0 = 5.0 * k.c[0] + 3.0 * k.c[2], g1 = 9.0 * k.c[1] + 3.0 * k.c[3];
+  const T g2 = 9.0 * k.c[2] + 3.0 * k.c[0], g3 = 5.0 * k.c[3] + 3.0 * k.c[1];
+  adjoint.c[0] += eighth * g0;
+  adjoint.c[1] += eighth * g1;
+  adjoint.c[2] += eighth * g2;
+  adjoint.c[3] += eighth * g3;
+  return 0.0625 * (k.c[0] * g0 + k.c[1] * g1 + k.c[2] * g2 + k.c[3] * g3);
+}
+
+/// |grad II|^2, in 1/length^4.
+template <class T>
+T second_form_variation_density(const Curvature<T>& k, const T& scale, Curvature<T>& adjoint) {
+  adjoint.c[0] += 2.0 * scale * k.c[0];
+  adjoint.c[1] += 6.0 * scale * k.c[1];
+  adjoint.c[2] += 6.0 * scale * k.c[2];
+  adjoint.c[3] += 2.0 * scale * k.c[3];
+  return k.c[0] * k.c[0] + k.c[3] * k.c[3] + 3.0 * (k.c[1] * k.c[1] + k.c[2] * k.c[2]);
+}
+
+/// Weighted sum of the densities of order `kThird` ? third : second; `weights` in the order of `Functional`.
+template <bool kThird, class T>
+T weighted_density(const double* weights, const Curvature<T>& k, const T& scale, Curvature<T>& adjoint) {
+  T sum{};
+  if constexpr (!kThird) {
+    if (weights[kBending] != 0) sum += weights[kBending] * bending_density(k, scale * weights[kBending], adjoint);
+    if (weights[kWillmore] != 0) sum += weights[kWillmore] * willmore_density(k, scale * weights[kWillmore], adjoint);
+  } else {
+    if (weights[kMvs] != 0 || weights[kMvsCross] != 0) {
+      const PrincipalAngle<T> angle(k);
+      if (weights[kMvs] != 0) sum += weights[kMvs] * mvs_density(k, angle, scale * weights[kMvs], adjoint);
+      if (weights[kMvsCross] != 0) {
+        sum += weights[kMvsCross] * mvs_cross_density(k, angle, scale * weights[kMvsCross], adjoint);
+      }
+    }
+    if (weights[kMehlumTarrou] != 0) {
+      sum += weights[kMehlumTarrou] * mehlum_tarrou_density(k, scale * weights[kMehlumTarrou], adjoint);
+    }
+    if (weights[kSecondFormVariation] != 0) {
+      const double w = weights[kSecondFormVariation];
+      sum += w * second_form_variation_density(k, scale * w, adjoint);
+    }
+  }
+  return sum;
+}
+
+}  // namespace umbilic

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The functionals' names, orders and weighted sums.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace umbilic {
+
+enum Functional { kBending, kWillmore, kMvs, kMvsCross, kMehlumTarrou, kSecondFormVariation };
+inline constexpr int kFunctionalCount = 6;
+
+/// "bending", "willmore", "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation".
+inline constexpr std::array<std::string_view, kFunctionalCount> kFunctionalNames{
+    "bending", "willmore", "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation"};
+
+/// Third-order functionals integrate squared curvature derivatives and carry the factor area.
+constexpr bool is_third_order(int functional) { return functional >= kMvs; }
+
+/// Weights of the functionals, in the order of the enum: Joshi & Sequin's eq. 9 for any of them.
+using Weights = std::array<double, kFunctionalCount>;
+
+/// Weights with 1 for the functional called `name`. Errors name the unknown functional and list the known ones.
+Result<Weights> weights_of(std::string_view name);
+
+/// "bending=0.95,mvs_cross=0.05". Weights are finite, >= 0 and not all zero; errors name the part at fault.
+Result<Weights> parse_weights(std::string_view text);
+
+/// Whether the weights are finite, >= 0 and not all zero; otherwise `error` says what is wrong.
+bool usable(const Weights& weights, Error& error);
+
+}  // namespace umbilic

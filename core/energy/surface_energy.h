@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// A weighted functional of the whole surface, with its gradient by the control points; and all functionals at once,
+/// for reports.
+#pragma once
+
+#include <array>
+
+#include "energy/functional.h"
+#include "surface/jets.h"
+
+namespace umbilic {
+
+struct EnergyValue {
+  double energy = 0;  ///< second + area * third
+  double second = 0;  ///< weighted integral of the second-order densities
+  double third = 0;   ///< weighted integral of the third-order densities, without the factor area
+  double area = 0;
+  /// Smallest |X_u x X_v| over its mean; a patch that collapses or folds sends it to 0.
+  double regularity = 0;
+};
+
+class SurfaceEnergy {
+ public:
+  /// `jets` outlives the energy.
+  SurfaceEnergy(const JetEvaluator& jets, const Weights& weights);
+
+  /// Not finite where the surface is not regular. `gradient`, if given, is control_count x 3.
+  EnergyValue evaluate(const Points& control, Points* gradient) const;
+
+  /// Whether a functional of third order has a weight.
+  bool third_order() const { return third_order_; }
+
+ private:
+  const JetEvaluator& jets_;
+  Weights weights_;
+  bool second_order_, third_order_;
+};
+
+struct SurfaceIntegrals {
+  std::array<double, kFunctionalCount> functionals{};  ///< third-order ones include the factor area
+  double area = 0;
+  double gaussian = 0;  ///< integral of the Gaussian curvature
+};
+
+/// All integrals of a surface by the rule of `jets`.
+SurfaceIntegrals surface_integrals(const JetEvaluator& jets, const Points& control);
+
+}  // namespace umbilic
