@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The two-loop recursion, its stop rules, and what happens when a line search fails.
+#include "optimize/lbfgs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace umbilic {
+namespace {
+
+/// Digits that an energy, a sum over many samples, can be trusted to.
+constexpr double kRelativeRoundOff = 1e-13;
+
+}  // namespace
+
+Lbfgs::Lbfgs(const Objective& objective, const Metric& metric, Eigen::VectorXd start, LbfgsOptions options)
+    : objective_(objective),
+      metric_(&metric),
+      options_(options),
+      unknowns_(std::move(start)),
+      best_(unknowns_),
+      best_value_(std::numeric_limits<double>::quiet_NaN()),
+      best_gradient_norm_(std::numeric_limits<double>::quiet_NaN()),
+      predicted_(std::numeric_limits<double>::quiet_NaN()) {}
+
+void Lbfgs::evaluate(const Eigen::VectorXd& at) {
+  objective_.evaluate(at, trial_);
+  ++evaluations_;
+  if (std::isfinite(trial_.value) && trial_.gradient.allFinite() && !(trial_.value >= best_value_)) {
+    best_ = at;
+    best_value_ = trial_.value;
+    best_gradient_norm_ = trial_.gradient.norm();
+  }
+}
+
+bool Lbfgs::step() {
+  if (stop_) return true;
+  if (evaluations_ == 0) {
+    evaluate(unknowns_);
+    value_ = trial_.value;
+    gradient_ = trial_.gradient;
+    recent_values_.push_back(value_);
+    if (!std::isfinite(value_) || !gradient_.allFinite()) {
+      stop_ = StopReason::kNotFinite;
+    } else if (options_.max_iterations == 0) {
+      stop_ = StopReason::kMaxIterations;
+    }
+    return ended();
+  }
+  if (!search_) begin_iteration();
+  if (stop_) return true;
+  trial_unknowns_ = unknowns_ + search_->step() * direction_;
+  evaluate(trial_unknowns_);
+  const double slope = trial_.gradient.allFinite() ? trial_.gradient.dot(direction_) : std::nan("");
+  switch (search_->update(trial_.value, slope)) {
+    case LineSearch::Status::kEvaluate: break;
+    case LineSearch::Status::kDone: end_iteration(); break;
+    case LineSearch::Status::kFailed: restart_or_stall(); break;
+  }
+  return ended();
+}
+
+Eigen::VectorXd Lbfgs::direction() const {
+  Eigen::VectorXd d = -gradient_;
+  std::vector<double> alpha(pairs_.size());
+  for (std::size_t i = pairs_.size(); i-- > 0;) {
+    alpha[i] = pairs_[i].rho * pairs_[i].s.dot(d);
+    d -= alpha[i] * pairs_[i].y;
+  }
+  d = metric_->solve(d);
+  if (!pairs_.empty()) {
+    const Pair& last = pairs_.back();
+    const double gamma = 1 / (last.rho * last.y.dot(metric_->solve(last.y)));
+    if (std::isfinite(gamma) && gamma > 0) d *= gamma;
+  }
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    d += (alpha[i] - pairs_[i].rho * pairs_[i].y.dot(d)) * pairs_[i].s;
+  }
+  return d;
+}
+
+void Lbfgs::begin_iteration() {
+  direction_ = direction();
+  double slope = direction_.dot(gradient_);
+  if (!(slope < 0) && !pairs_.empty()) {
+    pairs_.clear();
+    direction_ = direction();
+    slope = direction_.dot(gradient_);
+  }
+  const double model = -slope / 2;
+  const bool settled = static_cast<int>(recent_values_.size()) > options_.trend;
+  predicted_ = std::max(model, settled ? recent_values_.front() - value_ : std::numeric_limits<double>::infinity());
+  if (!settled && model == 0) predicted_ = 0;
+  if (predicted_ <= options_.tolerance * std::max(value_, options_.floor)) {
+    stop_ = StopReason::kConverged;
+  } else if (!(slope < 0) || model <= kRelativeRoundOff * std::abs(value_)) {
+    stop_ = StopReason::kRoundOff;
+  } else if (iterations_ >= options_.max_iterations) {
+    stop_ = StopReason::kMaxIterations;
+  }
+  if (!settled) predicted_ = model;
+  if (stop_) return;
+
+  const double largest = direction_.cwiseAbs().maxCoeff();
+  LineSearchOptions search;
+  search.max_step = std::max(1.0, 1e3 * options_.max_displacement / largest);
+  search_.emplace(value_, slope, std::min(1.0, options_.max_displacement / largest), search);
+}
+
+void Lbfgs::end_iteration() {
+  search_.reset();
+  ++iterations_;
+  restarted_ = false;
+  Pair pair{trial_unknowns_ - unknowns_, trial_.gradient - gradient_, 0};
+  const double curvature = pair.s.dot(pair.y);
+  if (curvature > 1e-12 * pair.s.norm() * pair.y.norm()) {
+    pair.rho = 1 / curvature;
+    pairs_.push_back(std::move(pair));
+    if (static_cast<int>(pairs_.size()) > options_.memory) pairs_.pop_front();
+  }
+  unknowns_ = trial_unknowns_;
+  gradient_ = trial_.gradient;
+  value_ = trial_.value;
+  recent_values_.push_back(value_);
+  if (static_cast<int>(recent_values_.size()) > options_.trend + 1) recent_values_.pop_front();
+  if (trial_.degenerate) stop_ = StopReason::kDegenerate;
+}
+
+void Lbfgs::restart_or_stall() {
+  search_.reset();
+  if (!restarted_ && !pairs_.empty()) {
+    restarted_ = true;
+    pairs_.clear();
+    return;
+  }
+  const double model = -direction_.dot(gradient_) / 2;
+  stop_ = model <= 1e3 * kRelativeRoundOff * std::abs(value_) ? StopReason::kRoundOff : StopReason::kLineSearchStalled;
+}
+
+}  // namespace umbilic

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Limited-memory BFGS with an initial metric, driven one energy evaluation at a time.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "optimize/line_search.h"
+#include "optimize/objective.h"
+#include "optimize/stop_reason.h"
+
+namespace umbilic {
+
+struct LbfgsOptions {
+  int memory = 20;            ///< > 0: curvature pairs kept
+  int max_iterations = 1000;  ///< >= 0
+  double tolerance =
+      1e-6;          ///< >= 0: converged when the decrease still predicted is at most tolerance * max(value, floor)
+  double floor = 0;  ///< >= 0, in units of the objective
+  double max_displacement = 1e300;  ///< > 0: largest change of an unknown in the first trial of a step
+  int trend = 10;                   ///< > 0: iterations whose decrease is the second estimate of what is still to gain
+};
+
+/// Nocedal & Wright, algorithm 7.4, with H0 = gamma metric^-1, gamma = s.y / (y . metric^-1 y). The decrease still
+/// predicted is the larger of the quadratic model's, g . H g / 2, and the decrease of the last `trend` iterations.
+class Lbfgs {
+ public:
+  /// `objective` and `metric` outlive the optimizer.
+  Lbfgs(const Objective& objective, const Metric& metric, Eigen::VectorXd start, LbfgsOptions options);
+
+  /// Evaluates the objective once. Returns whether the optimizer has ended; then further calls do nothing.
+  bool step();
+
+  bool ended() const { return stop_.has_value(); }
+  StopReason stop() const { return *stop_; }
+  void cancel() {
+    if (!stop_) stop_ = StopReason::kCancelled;
+  }
+
+  /// Whether the next `step` starts a new line search, so that the metric may be exchanged.
+  bool between_iterations() const { return !search_; }
+  /// Takes effect with the next direction; the curvature pairs stay.
+  void set_metric(const Metric& metric) { metric_ = &metric; }
+
+  const Eigen::VectorXd& best() const { return best_; }
+  double best_value() const { return best_value_; }
+  double best_gradient_norm() const { return best_gradient_norm_; }
+  double predicted_decrease() const { return predicted_; }
+  int iterations() const { return iterations_; }
+  int evaluations() const { return evaluations_; }
+
+ private:
+  struct Pair {
+    Eigen::VectorXd s, y;
+    double rho;
+  };
+
+  void evaluate(const Eigen::VectorXd& at);
+  void begin_iteration();
+  void end_iteration();
+  void restart_or_stall();
+  Eigen::VectorXd direction() const;
+
+  const Objective& objective_;
+  const Metric* metric_;
+  LbfgsOptions options_;
+
+  Eigen::VectorXd unknowns_, gradient_;
+  double value_ = 0;
+  Evaluation trial_;
+  Eigen::VectorXd trial_unknowns_, direction_;
+  std::optional<LineSearch> search_;
+  std::deque<Pair> pairs_;
+  std::deque<double> recent_values_;
+
+  Eigen::VectorXd best_;
+  double best_value_, best_gradient_norm_;
+  double predicted_;
+  int iterations_ = 0, evaluations_ = 0;
+  bool restarted_ = false;
+  std::optional<StopReason> stop_;
+};
+
+}  // namespace umbilic

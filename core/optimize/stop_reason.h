@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Why an optimizer ended. It always ends with one of these; it does not fail.
+#pragma once
+
+#include <string_view>
+
+namespace umbilic {
+
+enum class StopReason {
+  kConverged,          ///< the decrease still predicted is below the tolerance
+  kMaxIterations,      ///< as many iterations as allowed
+  kLineSearchStalled,  ///< no step along the search direction satisfies the strong Wolfe conditions
+  kRoundOff,           ///< the decrease still predicted is below what the energy's digits can show
+  kNotFinite,          ///< the energy is not finite at the start
+  kDegenerate,         ///< the surface collapses: the area or a patch vanishes
+  kCancelled,
+};
+
+/// "converged", "max_iterations", "line_search_stalled", "round_off", "not_finite", "degenerate", "cancelled".
+constexpr std::string_view name_of(StopReason reason) {
+  switch (reason) {
+    case StopReason::kConverged: return "converged";
+    case StopReason::kMaxIterations: return "max_iterations";
+    case StopReason::kLineSearchStalled: return "line_search_stalled";
+    case StopReason::kRoundOff: return "round_off";
+    case StopReason::kNotFinite: return "not_finite";
+    case StopReason::kDegenerate: return "degenerate";
+    case StopReason::kCancelled: return "cancelled";
+  }
+  return "";
+}
+
+}  // namespace umbilic
