@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// One look at a surface that is not optimized: its energies, and whether its gradient is right.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "driver/run.h"
+#include "driver/surface.h"
+
+namespace umbilic {
+namespace {
+
+constexpr int kDirections = 5;
+constexpr double kGradientTolerance = 1e-7;
+
+/// Steps of the difference quotient, relative to the cage's extent: the best of them counts, since no step suits all
+/// energies.
+constexpr std::array kSteps{1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6};
+
+/// Fourth-order central difference of f at 0.
+template <class F>
+double central_difference(const F& f, double h) {
+  return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
+}
+
+}  // namespace
+
+Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels) {
+  Result<RefinedCage> refined = refine(cage, levels);
+  if (!refined) return refined.error();
+  Weights bending{};
+  bending[kBending] = 1;
+  const int level = refined->level, patches = refined->mesh.face_count();
+  const Surface surface(std::move(refined->mesh), cap, bending);
+  return EvaluationReport{level, patches, surface.report(refined->control)};
+}
+
+Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, CapKind cap) {
+  Error error;
+  if (!usable(weights, error)) return error;
+  Result<RefinedCage> refined = refine(cage, 0);
+  if (!refined) return refined.error();
+  if (diverges(refined->mesh, cap, weights, error)) return error;
+  const Points control = refined->control;
+  const Surface surface(std::move(refined->mesh), cap, weights);
+
+  Points gradient;
+  surface.energy().evaluate(control, &gradient);
+  const double extent = (control.colwise().maxCoeff() - control.colwise().minCoeff()).maxCoeff();
+  GradientReport report;
+  report.level = refined->level;
+  report.unknowns = static_cast<int>(control.size());
+  report.directions = kDirections;
+  report.tolerance = kGradientTolerance;
+
+  std::mt19937 random(1);
+  for (int i = 0; i < kDirections; ++i) {
+    Points direction(control.rows(), 3);
+    for (int k = 0; k < direction.size(); ++k) direction.data()[k] = 2.0 * random() / std::mt19937::max() - 1;
+    const double analytic = gradient.cwiseProduct(direction).sum();
+    // A direction in which the energy hardly changes is judged by the gradient's typical slope.
+    const double scale = std::max(std::abs(analytic), gradient.norm() / std::sqrt(3.0));
+    double difference = 0, mismatch = std::numeric_limits<double>::infinity();
+    for (const double step : kSteps) {
+      const double quotient = central_difference(
+          [&](double t) { return surface.energy().evaluate(control + t * direction, nullptr).energy; }, step * extent);
+      if (std::abs(quotient - analytic) / scale < mismatch) {
+        mismatch = std::abs(quotient - analytic) / scale;
+        difference = quotient;
+      }
+    }
+    if (i == 0 || !(mismatch <= report.relative_mismatch)) {
+      report.analytic = analytic;
+      report.difference = difference;
+      report.relative_mismatch = mismatch;
+    }
+  }
+  report.ok = report.relative_mismatch <= kGradientTolerance;
+  return report;
+}
+
+}  // namespace umbilic

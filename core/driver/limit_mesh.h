@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The limit surface as a quad mesh with normals and principal curvatures, for eyes and for files.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/types.h"
+
+namespace umbilic {
+
+/// Vertices shared by neighbouring patches appear once, so the mesh is closed like the surface.
+struct LimitMesh {
+  Points positions;
+  Points normals;  ///< unit, outward
+  /// Principal curvatures kappa1 >= kappa2, one row each; positive where the surface bends away from the outward
+  /// normal, as a sphere does.
+  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> curvatures;
+  std::vector<std::array<int, 4>> quads;
+};
+
+}  // namespace umbilic

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Steps through the levels: prepare, minimize, report, refine.
+#include "driver/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "driver/level.h"
+#include "driver/tessellate.h"
+#include "mesh/hierarchy.h"
+
+namespace umbilic {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Cage to_cage(const PolygonMesh& mesh, Points control) {
+  Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count())};
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    for (int i = 0; i < mesh.face_size(f); ++i) cage.faces[f].push_back(mesh.origin(mesh.halfedge(f, i)));
+  }
+  return cage;
+}
+
+bool in_range(const RunOptions& options, Error& error) {
+  if (!usable(options.weights, error)) return false;
+  if (options.first_level < 0 || options.last_level < options.first_level) {
+    error.message = fmt::format("levels {}..{}: expected 0 <= first <= last", options.first_level, options.last_level);
+  } else if (options.max_iterations < 0) {
+    error.message = fmt::format("{} iterations: expected a number >= 0", options.max_iterations);
+  } else if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
+    error.message = fmt::format("tolerance {}: expected a finite number >= 0", options.tolerance);
+  }
+  return error.message.empty();
+}
+
+}  // namespace
+
+struct Run::State {
+  RunOptions options;
+  std::unique_ptr<Level> level;
+  std::vector<LevelReport> levels;
+  Progress progress;
+  double level_seconds = 0;
+  mutable std::optional<EnergyReport> energies;  // of the best surface, while it stays
+
+  LevelOptions level_options() const {
+    return {options.cap, options.weights, options.max_iterations, options.tolerance};
+  }
+
+  const EnergyReport& report_energies() const {
+    if (!energies) energies = level->surface().report(level->best());
+    return *energies;
+  }
+
+  void update_progress() {
+    progress.level = level->number();
+    const Lbfgs* lbfgs = level->lbfgs();
+    progress.iterations = lbfgs ? lbfgs->iterations() : 0;
+    progress.evaluations = lbfgs ? lbfgs->evaluations() : 0;
+    progress.energy = lbfgs ? lbfgs->best_value() : kNaN;
+    progress.gradient_norm = lbfgs ? lbfgs->best_gradient_norm() : kNaN;
+    progress.predicted_decrease = lbfgs ? lbfgs->predicted_decrease() : kNaN;
+    progress.total_evaluations = progress.evaluations;
+    for (const LevelReport& ended : levels) {
+      if (ended.level != progress.level) progress.total_evaluations += ended.evaluations;
+    }
+  }
+
+  void unit() {
+    switch (progress.phase) {
+      case Phase::kPrepare:
+      case Phase::kMinimize: {
+        const double before = progress.energy;
+        if (level->step()) {
+          progress.phase = Phase::kReport;
+        } else {
+          progress.phase = level->preparing() ? Phase::kPrepare : Phase::kMinimize;
+        }
+        update_progress();
+        if (!(progress.energy == before)) energies.reset();
+        break;
+      }
+      case Phase::kReport: end_level(); break;
+      case Phase::kDone: break;
+    }
+  }
+
+  void end_level() {
+    levels.push_back(level->report(report_energies()));
+    const bool last = level->number() >= options.last_level || levels.back().stop == StopReason::kCancelled ||
+                      levels.back().stop == StopReason::kNotFinite;
+    if (last) {
+      progress.phase = Phase::kDone;
+      return;
+    }
+    Refinement finer = catmull_clark(level->surface().mesh());
+    Points control = finer.stencil * level->best();
+    level = std::make_unique<Level>(RefinedCage{level->number() + 1, std::move(finer.mesh), std::move(control)},
+                                    level_options());
+    energies.reset();
+    progress.phase = Phase::kPrepare;
+    update_progress();
+  }
+};
+
+Result<Run> Run::create(const Cage& cage, const RunOptions& options) {
+  Error error;
+  if (!in_range(options, error)) return error;
+  Result<RefinedCage> refined = refine(cage, options.first_level);
+  if (!refined) return refined.error();
+  if (diverges(refined->mesh, options.cap, options.weights, error)) return error;
+  const double last_faces =
+      refined->mesh.face_count() * std::pow(4.0, std::max(0, options.last_level - refined->level));
+  if (last_faces > kMaxFaces) {
+    return Error{fmt::format("level {} would have {:.3g} faces; at most {} are possible", options.last_level,
+                             last_faces, kMaxFaces)};
+  }
+  auto state = std::make_unique<State>();
+  state->options = options;
+  state->level = std::make_unique<Level>(std::move(refined).value(), state->level_options());
+  state->update_progress();
+  return Run(std::move(state));
+}
+
+Run::Run(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Run::Run(Run&&) noexcept = default;
+Run& Run::operator=(Run&&) noexcept = default;
+Run::~Run() = default;
+
+bool Run::step(int units) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  double booked = 0;
+  for (int i = 0; i < units && state_->progress.phase != Phase::kDone; ++i) {
+    const std::size_t ended = state_->levels.size();
+    state_->unit();
+    if (state_->levels.size() > ended) {
+      const double now = seconds();
+      state_->levels.back().seconds = state_->level_seconds + now - booked;
+      state_->level_seconds = 0;
+      booked = now;
+    }
+  }
+  state_->level_seconds += seconds() - booked;
+  return state_->progress.phase == Phase::kDone;
+}
+
+void Run::cancel() {
+  if (state_->progress.phase == Phase::kDone) return;
+  state_->level->cancel();
+  state_->progress.phase = Phase::kReport;
+  step(1);
+  state_->progress.phase = Phase::kDone;
+}
+
+const Progress& Run::progress() const { return state_->progress; }
+const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
+const EnergyReport& Run::energies() const { return state_->report_energies(); }
+
+Cage Run::control_mesh() const { return to_cage(state_->level->surface().mesh(), state_->level->best()); }
+
+LimitMesh Run::limit_mesh(int density) const {
+  const Surface& surface = state_->level->surface();
+  return tessellate(surface.mesh(), surface.layout(), state_->level->best(), density);
+}
+
+}  // namespace umbilic

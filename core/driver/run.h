@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// One run: a cage, refined level by level and minimized on each, that can be stepped, watched, cancelled and read at
+/// any time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cage/cage.h"
+#include "driver/limit_mesh.h"
+#include "driver/report.h"
+#include "energy/functional.h"
+#include "surface/cap_kind.h"
+
+namespace umbilic {
+
+struct RunOptions {
+  Weights weights{};
+  CapKind cap = CapKind::kSmooth;
+  int first_level = 0;        ///< >= 0, Catmull-Clark steps from the cage; raised when the cage needs more
+  int last_level = 2;         ///< >= first_level; raised with it
+  int max_iterations = 1000;  ///< >= 0, per level
+  double tolerance = 1e-6;    ///< >= 0: see StopReason::kConverged
+};
+
+/// What a run is about to do; every `step` finishes at most one of these.
+enum class Phase { kPrepare, kMinimize, kReport, kDone };
+
+struct Progress {
+  Phase phase = Phase::kPrepare;
+  int level = 0;
+  int iterations = 0;         ///< in this level
+  int evaluations = 0;        ///< in this level
+  int total_evaluations = 0;  ///< over all levels
+  double energy = 0;  ///< of the best surface of this level, by the minimizing rule; NaN before the first evaluation
+  double gradient_norm = 0;       ///< Euclidean, of the best surface, with respect to the control points
+  double predicted_decrease = 0;  ///< estimate of what this level can still gain; NaN before the first iteration
+};
+
+class Run {
+ public:
+  /// Fails when the cage has a vertex of valence 2 or above 24 (after one step, which turns faces into vertices of
+  /// their size), the weights are unusable, or the refined mesh would have more than 2 million faces.
+  static Result<Run> create(const Cage& cage, const RunOptions& options);
+
+  Run(Run&&) noexcept;
+  Run& operator=(Run&&) noexcept;
+  ~Run();
+
+  /// Does up to `units` units of work: one energy evaluation each, or one part of a level's preparation of no greater
+  /// cost. Returns whether the run is done; further calls do nothing.
+  bool step(int units);
+
+  /// Ends the run: the current level gets the stop reason kCancelled and what there is so far is its result.
+  void cancel();
+
+  const Progress& progress() const;
+
+  /// The levels ended so far, in order.
+  const std::vector<LevelReport>& levels() const;
+
+  /// The control mesh of the best surface so far.
+  Cage control_mesh() const;
+
+  /// All energies of the best surface so far by the reporting rule, with the quadrature error. One unit's work, several
+  /// times the cost of an evaluation; cached until the surface changes.
+  const EnergyReport& energies() const;
+
+  /// The best surface so far, `density` >= 1 quads along each edge of a patch.
+  LimitMesh limit_mesh(int density) const;
+
+ private:
+  struct State;
+  explicit Run(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// All energies of the cage's surface after `levels` Catmull-Clark steps (raised when the cage needs more). Fails as
+/// `Run::create`.
+Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels);
+
+/// Compares the analytic gradient along random directions with central differences of the energy.
+/// The surface is the cage's at the first level that it can be evaluated at. Fails as `Run::create`.
+Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, CapKind cap);
+
+}  // namespace umbilic
