@@ -11,11 +11,11 @@ namespace umbilic {
 /// The cheapest rule whose error stays below what a level can gain; `npm run bench` prints the table that it was chosen
 /// from. The steep blend of `flat` needs more samples than the polynomial one.
 constexpr QuadratureRule minimizing_rule(CapKind cap) {
-  return cap == CapKind::kFlat ? QuadratureRule{4, 8, 2} : QuadratureRule{4, 4, 3};
+  return cap == CapKind::kFlat ? QuadratureRule{4, 16, 1} : QuadratureRule{4, 6, 2};
 }
 
 constexpr QuadratureRule reporting_rule(CapKind cap) {
-  return cap == CapKind::kFlat ? QuadratureRule{7, 16, 4} : QuadratureRule{7, 7, 6};
+  return cap == CapKind::kFlat ? QuadratureRule{7, 32, 2} : QuadratureRule{7, 10, 6};
 }
 
 }  // namespace umbilic

@@ -7,16 +7,18 @@
 #include <cassert>
 
 #include "base/lanes.h"
+#include "surface/dense_product.h"
 #include "surface/flat_frame.h"
 #include "surface/regular_kernel.h"
 
 namespace umbilic {
 namespace {
 
-/// Patches per block: enough columns for the matrix product, few enough that jets and adjoints stay in the cache.
-constexpr int kBlockSamples = 1024;
+/// Patches per block: two for the matrix product's tiles, and few enough samples that jets and adjoints stay in the
+/// cache.
+constexpr int kBlockSamples = 256;
 
-int block_patches(int samples) { return std::max(1, kBlockSamples / samples); }
+int block_patches(int samples) { return std::max(2, kBlockSamples / samples); }
 
 using MatrixMap = Eigen::Map<Eigen::MatrixXd>;
 
@@ -154,26 +156,25 @@ class Pass {
   }
 
   /// Local points of the block, columns x (3 patches).
-  MatrixMap gather(const JetEvaluator::Group& group, int begin, int patches) {
+  const double* gather(const JetEvaluator::Group& group, int begin, int patches) {
     const int columns = group.set.columns;
-    MatrixMap local(local_.data(), columns, 3 * patches);
+    double* local = local_.data();
     for (int p = 0; p < patches; ++p) {
       const int* index = &group.set.points[static_cast<std::size_t>(columns) * (begin + p)];
-      for (int i = 0; i < columns; ++i) {
-        for (int c = 0; c < 3; ++c) local(i, 3 * p + c) = points_(index[i], c);
-      }
+      for (int i = 0; i < columns; ++i) std::copy_n(points_.data() + 3 * index[i], 3, local + 3 * (patches * i + p));
     }
     return local;
   }
 
   void capped_jets(const JetEvaluator::Group& group, int begin, int patches) {
-    const MatrixMap local = gather(group, begin, patches);
-    const int rows = derivatives_ * group.samples;
-    MatrixMap jets(jets_.data(), rows, 3 * patches);
-    jets.noalias() = group.table.basis.topRows(rows) * local;
+    const double* local = gather(group, begin, patches);
+    const BasisTable& table = group.table;
+    const int rows = derivatives_ * group.samples, stride = static_cast<int>(table.basis.rows());
+    dense_product(table.basis.data(), stride, rows, table.columns, local, patches, jets_.data());
     if (!group.flat()) return;
-    MatrixMap offsets(offsets_.data(), rows, 3 * patches);
-    offsets.noalias() = group.table.flattening.topRows(rows) * local;
+    dense_product(table.flattening.data(), stride, rows, table.columns, local, patches, offsets_.data());
+    MatrixMap jets(jets_.data(), rows, 3 * patches);
+    const MatrixMap offsets(offsets_.data(), rows, 3 * patches);
     for (int p = 0; p < patches; ++p) {
       const Vector3& normal = frames_[group.set.caps[begin + p]].normal;
       jets.middleCols<3>(3 * p) -= (offsets.middleCols<3>(3 * p) * normal) * normal.transpose();
@@ -181,28 +182,36 @@ class Pass {
   }
 
   void pull_back_capped(const JetEvaluator::Group& group, int begin, int patches, int channel) {
-    const int columns = group.set.columns, rows = channels_[channel].derivatives * group.samples;
+    const BasisTable& table = group.table;
+    const int rows = channels_[channel].derivatives * group.samples, stride = static_cast<int>(table.basis.rows());
+    double* local = local_gradient_.data();
+    dense_transposed_product(table.basis.data(), stride, rows, table.columns, adjoints_[channel], patches, local);
+    scatter(group, begin, patches, 1, gradients_[channel]);
+    if (!group.flat()) return;
     const MatrixMap adjoint(adjoints_[channel], rows, 3 * patches);
-    MatrixMap local(local_gradient_.data(), columns, 3 * patches);
-    local.noalias() = group.table.basis.topRows(rows).transpose() * adjoint;
-    if (group.flat()) {
-      const MatrixMap offsets(offsets_.data(), derivatives_ * group.samples, 3 * patches);
-      MatrixMap flattened(flattened_.data(), rows, 3 * patches);
-      for (int p = 0; p < patches; ++p) {
-        const int cap = group.set.caps[begin + p];
-        const Vector3& normal = frames_[cap].normal;
-        const auto jet_adjoint = adjoint.middleCols<3>(3 * p);
-        const auto offset = offsets.topRows(rows).middleCols<3>(3 * p);
-        const Eigen::VectorXd along = jet_adjoint * normal;
-        flattened.middleCols<3>(3 * p).noalias() = along * normal.transpose();
-        normal_adjoints_[channel][cap] -= jet_adjoint.transpose() * (offset * normal) + offset.transpose() * along;
-      }
-      local.noalias() -= group.table.flattening.topRows(rows).transpose() * flattened;
+    const MatrixMap offsets(offsets_.data(), derivatives_ * group.samples, 3 * patches);
+    MatrixMap flattened(flattened_.data(), rows, 3 * patches);
+    for (int p = 0; p < patches; ++p) {
+      const int cap = group.set.caps[begin + p];
+      const Vector3& normal = frames_[cap].normal;
+      const auto jet_adjoint = adjoint.middleCols<3>(3 * p);
+      const auto offset = offsets.topRows(rows).middleCols<3>(3 * p);
+      const Eigen::VectorXd along = jet_adjoint * normal;
+      flattened.middleCols<3>(3 * p).noalias() = along * normal.transpose();
+      normal_adjoints_[channel][cap] -= jet_adjoint.transpose() * (offset * normal) + offset.transpose() * along;
     }
+    dense_transposed_product(table.flattening.data(), stride, rows, table.columns, flattened_.data(), patches, local);
+    scatter(group, begin, patches, -1, gradients_[channel]);
+  }
+
+  /// Adds `factor` times the block's local gradient.
+  void scatter(const JetEvaluator::Group& group, int begin, int patches, double factor, Points& gradient) const {
+    const int columns = group.set.columns;
     for (int p = 0; p < patches; ++p) {
       const int* index = &group.set.points[static_cast<std::size_t>(columns) * (begin + p)];
       for (int i = 0; i < columns; ++i) {
-        for (int c = 0; c < 3; ++c) gradients_[channel](index[i], c) += local(i, 3 * p + c);
+        const double* local = local_gradient_.data() + 3 * (patches * i + p);
+        for (int c = 0; c < 3; ++c) gradient(index[i], c) += factor * local[c];
       }
     }
   }

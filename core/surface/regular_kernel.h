@@ -29,6 +29,11 @@ class RegularKernel {
   void pull_back(const double* adjoint, int derivatives, double* gradient) const;
 
  private:
+  template <class Count>
+  void jets_on(Count count, const double* points, int derivatives, double* jets) const;
+  template <class Count>
+  void pull_back_on(Count count, const double* adjoint, int derivatives, double* gradient) const;
+
   int points_, width_;
   std::vector<double> along_u_;  // [k][a][i], i < width
   std::vector<double> along_v_;  // [l][j][b]
