@@ -48,6 +48,7 @@ struct Run::State {
   std::vector<LevelReport> levels;
   Progress progress;
   double level_seconds = 0;
+  bool cancelled = false;
   mutable std::optional<EnergyReport> energies;  // of the best surface, while it stays
 
   LevelOptions level_options() const {
@@ -94,8 +95,8 @@ struct Run::State {
 
   void end_level() {
     levels.push_back(level->report(report_energies()));
-    const bool last = level->number() >= options.last_level || levels.back().stop == StopReason::kCancelled ||
-                      levels.back().stop == StopReason::kNotFinite;
+    const bool last =
+        cancelled || level->number() >= options.last_level || levels.back().stop == StopReason::kNotFinite;
     if (last) {
       progress.phase = Phase::kDone;
       return;
@@ -154,10 +155,10 @@ bool Run::step(int units) {
 
 void Run::cancel() {
   if (state_->progress.phase == Phase::kDone) return;
+  state_->cancelled = true;
   state_->level->cancel();
   state_->progress.phase = Phase::kReport;
   step(1);
-  state_->progress.phase = Phase::kDone;
 }
 
 const Progress& Run::progress() const { return state_->progress; }

@@ -53,7 +53,8 @@ class Run {
   /// cost. Returns whether the run is done; further calls do nothing.
   bool step(int units);
 
-  /// Ends the run: the current level gets the stop reason kCancelled and what there is so far is its result.
+  /// Ends the run at once; what there is so far is its result. The current level's stop reason is kCancelled unless it
+  /// had just ended by itself.
   void cancel();
 
   const Progress& progress() const;

@@ -14,6 +14,9 @@ namespace {
 /// Digits that an energy, a sum over many samples, can be trusted to.
 constexpr double kRelativeRoundOff = 1e-13;
 
+/// Fraction of the tolerance below which the quadratic model is believed without the trend.
+constexpr double kModelAlone = 1e-3;
+
 }  // namespace
 
 Lbfgs::Lbfgs(const Objective& objective, const Metric& metric, Eigen::VectorXd start, LbfgsOptions options)
@@ -91,17 +94,16 @@ void Lbfgs::begin_iteration() {
     slope = direction_.dot(gradient_);
   }
   const double model = -slope / 2;
-  const bool settled = static_cast<int>(recent_values_.size()) > options_.trend;
-  predicted_ = std::max(model, settled ? recent_values_.front() - value_ : std::numeric_limits<double>::infinity());
-  if (!settled && model == 0) predicted_ = 0;
-  if (predicted_ <= options_.tolerance * std::max(value_, options_.floor)) {
+  const double threshold = options_.tolerance * std::max(value_, options_.floor);
+  const bool has_trend = static_cast<int>(recent_values_.size()) > options_.trend;
+  predicted_ = has_trend ? std::max(model, recent_values_.front() - value_) : model;
+  if (model <= kModelAlone * threshold || (has_trend && predicted_ <= threshold)) {
     stop_ = StopReason::kConverged;
   } else if (!(slope < 0) || model <= kRelativeRoundOff * std::abs(value_)) {
     stop_ = StopReason::kRoundOff;
   } else if (iterations_ >= options_.max_iterations) {
     stop_ = StopReason::kMaxIterations;
   }
-  if (!settled) predicted_ = model;
   if (stop_) return;
 
   const double largest = direction_.cwiseAbs().maxCoeff();

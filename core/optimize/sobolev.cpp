@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "optimize/covariant.h"
+#include "surface/flat_frame.h"
 
 namespace umbilic {
 namespace {
@@ -26,9 +27,11 @@ double third_order_weight(const Weights& w) {
   return w[kMvs] + w[kMvsCross] + w[kMehlumTarrou] / 2 + w[kSecondFormVariation];
 }
 
+/// A kind's table, and the basis whose Sobolev products are taken: of `flat` caps that of the surface's normal part.
 struct Kind {
   const PatchSet* set;
   BasisTable table;
+  Eigen::MatrixXd functions;
 };
 
 }  // namespace
@@ -39,6 +42,7 @@ struct SobolevMetric::Assembly {
   const PatchLayout& layout;
   double second, third;
   Points points;
+  std::vector<FlatFrame> frames;
   std::vector<Kind> kinds;
   double area = 0;
   Stage stage = Stage::kArea;
@@ -51,34 +55,44 @@ struct SobolevMetric::Assembly {
       : layout(patches),
         second(second_order_weight(weights)),
         third(third_order_weight(weights)),
-        points(patches.extend(control)) {
+        points(patches.extend(control)),
+        frames(flat_frames(patches, points)) {
     for (const PatchSet& set : layout.sets()) {
       const auto samples = set.kind.at_extraordinary() ? graded_rule(kPoints, kGrading) : tensor_rule(kPoints);
-      kinds.push_back({&set, basis_table(set.kind, samples, 0, kDerivativeCount)});
-      if (set.kind.shape == CapShape::kFlat) kinds.back().table.basis -= kinds.back().table.flattening;
+      kinds.push_back({&set, basis_table(set.kind, samples, 0, kDerivativeCount), {}});
+      Kind& k = kinds.back();
+      k.functions = k.table.basis;
+      if (set.kind.shape == CapShape::kFlat) k.functions -= k.table.flattening;
     }
   }
 
-  Eigen::Matrix<double, Eigen::Dynamic, 3> local_points(const Kind& k, int p) const {
+  /// The surface's derivatives of order 0 to 3 at all samples of a patch, in the order of the table's rows.
+  Eigen::Matrix<double, Eigen::Dynamic, 3> jets(const Kind& k, int p) const {
     Eigen::Matrix<double, Eigen::Dynamic, 3> local(k.set->columns, 3);
     for (int i = 0; i < k.set->columns; ++i) local.row(i) = points.row(k.set->points[k.set->columns * p + i]);
-    return local;
+    Eigen::Matrix<double, Eigen::Dynamic, 3> result = k.table.basis * local;
+    if (k.set->kind.shape == CapShape::kFlat) {
+      const Vector3& n = frames[k.set->caps[p]].normal;
+      result -= (k.table.flattening * (local * n)) * n.transpose();
+    }
+    return result;
   }
 
-  /// Basis derivatives of order 1 to 3 at sample s, 9 x columns.
-  static Eigen::MatrixXd derivatives(const BasisTable& table, int s) {
-    Eigen::MatrixXd rows(kThirdOrderCount, table.columns);
-    for (int d = 0; d < kThirdOrderCount; ++d) rows.row(d) = table.basis.row((d + 1) * table.samples + s);
+  /// The derivatives of order 1 to 3 at sample s of something with the table's rows.
+  template <class Rows>
+  static Eigen::Matrix<double, kThirdOrderCount, Rows::ColsAtCompileTime> at_sample(const Rows& all, int samples,
+                                                                                    int s) {
+    Eigen::Matrix<double, kThirdOrderCount, Rows::ColsAtCompileTime> rows(kThirdOrderCount, all.cols());
+    for (int d = 0; d < kThirdOrderCount; ++d) rows.row(d) = all.row((d + 1) * samples + s);
     return rows;
   }
 
   void measure_area() {
     for (const Kind& k : kinds) {
-      const auto first = k.table.basis.middleRows(k.table.samples, 2 * k.table.samples);
       for (int p = 0; p < k.set->count(); ++p) {
-        const Eigen::Matrix<double, Eigen::Dynamic, 3> jets = first * local_points(k, p);
+        const auto x = jets(k, p);
         for (int s = 0; s < k.table.samples; ++s) {
-          const Vector3 a = jets.row(s), b = jets.row(k.table.samples + s);
+          const Vector3 a = x.row(k.table.samples + s), b = x.row(2 * k.table.samples + s);
           area += k.table.weights[s] * a.cross(b).norm();
         }
       }
@@ -89,15 +103,15 @@ struct SobolevMetric::Assembly {
     const BasisTable& table = k.table;
     const double length = 10 / std::sqrt(area);
     const double mass = 0.01 * (2 * second * std::pow(length, 4) + 2 * third * area * std::pow(length, 6));
-    const Eigen::Matrix<double, Eigen::Dynamic, 3> local = local_points(k, p);
+    const auto x = jets(k, p);
     constexpr int kRows = 1 + 3 + 6;
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(kRows * table.samples, table.columns);
     for (int s = 0; s < table.samples; ++s) {
-      const Eigen::MatrixXd basis = derivatives(table, s);
-      const CovariantDerivatives covariant(basis * local);
+      const auto basis = at_sample(k.functions, table.samples, s);
+      const CovariantDerivatives covariant(at_sample(x, table.samples, s));
       const double measure = table.weights[s] * covariant.area;
       auto here = rows.middleRows<kRows>(kRows * s);
-      here.row(0) = std::sqrt(measure * mass) * table.basis.row(s);
+      here.row(0) = std::sqrt(measure * mass) * k.functions.row(s);
       if (second > 0) here.middleRows<3>(1).noalias() = std::sqrt(2 * second * measure) * covariant.second * basis;
       if (third > 0) here.middleRows<6>(4).noalias() = std::sqrt(2 * third * area * measure) * covariant.third * basis;
     }

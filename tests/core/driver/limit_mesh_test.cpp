@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Limit meshes: closed like their surface, with normals and curvatures that fit it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "cage/generate.h"
+#include "driver/run.h"
+
+namespace umbilic {
+namespace {
+
+umbilic::Run started(const Cage& cage, CapKind cap, int level) {
+  RunOptions options;
+  options.weights = *weights_of("bending");
+  options.cap = cap;
+  options.first_level = options.last_level = level;
+  return *umbilic::Run::create(cage, options);
+}
+
+Cage polygons(const LimitMesh& mesh) {
+  Cage cage{mesh.positions, {}};
+  for (const auto& quad : mesh.quads) cage.faces.emplace_back(quad.begin(), quad.end());
+  return cage;
+}
+
+TEST(LimitMesh, is_a_closed_mesh_of_the_same_genus_with_density_squared_quads_per_patch) {
+  for (const CapKind cap : {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth}) {
+    for (const int density : {1, 2, 5}) {
+      const umbilic::Run run = started(*generate_cage("two-3"), cap, 1);
+      const LimitMesh mesh = run.limit_mesh(density);
+      EXPECT_EQ(mesh.quads.size(), run.control_mesh().faces.size() * density * density);
+      Cage cage = polygons(mesh);
+      const std::size_t vertices = cage.vertices.rows();
+      const Result<CageReport> report = validate(cage);
+      ASSERT_TRUE(report.ok()) << report.error().message;
+      EXPECT_EQ(report->genus, 2);
+      EXPECT_EQ(cage.vertices.rows(), Eigen::Index(vertices));
+      EXPECT_EQ(cage.faces, polygons(mesh).faces) << "quads are oriented outwards";
+    }
+  }
+}
+
+/// Faces' normals differ from the vertices' by no more than the surface turns within a quad.
+TEST(LimitMesh, has_unit_normals_that_agree_with_its_faces) {
+  for (const CapKind cap : {CapKind::kFlat, CapKind::kSmooth}) {
+    const LimitMesh mesh = started(*generate_cage("two-3"), cap, 2).limit_mesh(6);
+    for (const auto& quad : mesh.quads) {
+      const Vector3 a = mesh.positions.row(quad[2]) - mesh.positions.row(quad[0]);
+      const Vector3 b = mesh.positions.row(quad[3]) - mesh.positions.row(quad[1]);
+      const Vector3 n = a.cross(b).normalized();
+      for (const int v : quad) {
+        EXPECT_NEAR(mesh.normals.row(v).norm(), 1, 1e-12);
+        EXPECT_GT(mesh.normals.row(v).dot(n), 0.9);
+      }
+    }
+  }
+}
+
+TEST(LimitMesh, of_a_minimized_cube_has_the_curvatures_of_a_sphere) {
+  RunOptions options;
+  options.weights = *weights_of("bending");
+  options.last_level = 2;
+  umbilic::Run run = *umbilic::Run::create(*generate_cage("cube"), options);
+  while (!run.step(10)) {
+  }
+  const LimitMesh mesh = run.limit_mesh(3);
+  const double radius = std::sqrt(run.energies().area / (4 * 3.14159265358979323846));
+  for (int v = 0; v < mesh.positions.rows(); ++v) {
+    EXPECT_NEAR(mesh.curvatures(v, 0) * radius, 1, 0.15) << "vertex " << v;
+    EXPECT_NEAR(mesh.curvatures(v, 1) * radius, 1, 0.15) << "vertex " << v;
+    EXPECT_GE(mesh.curvatures(v, 0), mesh.curvatures(v, 1));
+  }
+}
+
+}  // namespace
+}  // namespace umbilic

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Runs: their contract step by step, and what goes wrong in them.
+#include "driver/run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cage/generate.h"
+
+namespace umbilic {
+namespace {
+
+constexpr double kSphereBending = 8 * std::numbers::pi;
+
+RunOptions minimizing(std::string_view weights, int first, int last) {
+  RunOptions options;
+  options.weights = *parse_weights(weights);
+  options.first_level = first;
+  options.last_level = last;
+  return options;
+}
+
+umbilic::Run finished(const Cage& cage, const RunOptions& options) {
+  umbilic::Run run = *umbilic::Run::create(cage, options);
+  while (!run.step(1)) {
+  }
+  return run;
+}
+
+TEST(Run, takes_one_evaluation_or_less_per_unit_and_ends_level_by_level) {
+  umbilic::Run run = *umbilic::Run::create(*generate_cage("two-3"), minimizing("bending=1", 1, 2));
+  int evaluations = 0;
+  std::size_t levels = 0;
+  double energy = std::nan("");
+  int level = run.progress().level;
+  while (!run.step(1)) {
+    const Progress& p = run.progress();
+    EXPECT_LE(p.total_evaluations, evaluations + 1);
+    evaluations = p.total_evaluations;
+    if (p.level == level && std::isfinite(energy)) {
+      EXPECT_LE(p.energy, energy);
+    }
+    EXPECT_GE(p.level, level);
+    EXPECT_GE(run.levels().size(), levels);
+    level = p.level;
+    levels = run.levels().size();
+    energy = p.energy;
+  }
+  ASSERT_EQ(run.levels().size(), 2u);
+  EXPECT_EQ(run.levels()[0].level, 1);
+  EXPECT_EQ(run.levels()[1].level, 2);
+  EXPECT_EQ(run.levels()[1].patches, 4 * run.levels()[0].patches);
+  EXPECT_EQ(run.progress().total_evaluations, run.levels()[0].evaluations + run.levels()[1].evaluations);
+  EXPECT_EQ(run.progress().phase, Phase::kDone);
+  EXPECT_TRUE(run.step(5));
+}
+
+TEST(Run, gives_the_same_digits_whether_stepped_singly_or_in_bulk) {
+  const Cage cage = *generate_cage("two-3");
+  const umbilic::Run single = finished(cage, minimizing("bending=1", 0, 1));
+  umbilic::Run bulk = *umbilic::Run::create(cage, minimizing("bending=1", 0, 1));
+  while (!bulk.step(37)) {
+  }
+  EXPECT_EQ(single.control_mesh().vertices, bulk.control_mesh().vertices);
+  EXPECT_EQ(single.levels()[1].energy, bulk.levels()[1].energy);
+}
+
+TEST(Run, reports_energies_that_the_control_mesh_reproduces) {
+  for (const CapKind cap : {CapKind::kSmooth, CapKind::kFlat}) {
+    RunOptions options = minimizing("mvs_cross=1", 1, 1);
+    options.cap = cap;
+    options.max_iterations = 5;
+    const umbilic::Run run = finished(*generate_cage("two-3"), options);
+    const EvaluationReport again = *evaluate(run.control_mesh(), cap, 0);
+    for (int i = 0; i < kFunctionalCount; ++i) {
+      EXPECT_NEAR(again.energies.functionals[i], run.energies().functionals[i], 1e-12 * run.energies().functionals[i]);
+    }
+    EXPECT_EQ(run.levels()[0].energy_reported, run.energies().functionals[kMvsCross]);
+    EXPECT_NEAR(run.energies().quadrature_error, std::abs(run.levels()[0].energy_reported - run.levels()[0].energy),
+                1e-9 * run.levels()[0].energy);
+  }
+}
+
+TEST(Run, keeps_its_best_surface_when_cancelled_at_any_moment) {
+  for (int units = 0; units < 150; units += 7) {
+    umbilic::Run run = *umbilic::Run::create(*generate_cage("two-3"), minimizing("bending=1", 0, 2));
+    run.step(units);
+    const Points before = run.control_mesh().vertices;
+    const int level = run.progress().level;
+    const bool ended_by_itself = run.progress().phase == Phase::kReport;
+    run.cancel();
+    EXPECT_EQ(run.control_mesh().vertices, before);
+    ASSERT_FALSE(run.levels().empty());
+    if (!ended_by_itself) {
+      EXPECT_EQ(run.levels().back().stop, StopReason::kCancelled);
+    }
+    EXPECT_EQ(run.levels().back().level, level);
+    EXPECT_TRUE(std::isfinite(run.levels().back().energy));
+    EXPECT_TRUE(run.step(1));
+    EXPECT_EQ(run.progress().phase, Phase::kDone);
+  }
+}
+
+TEST(Run, of_no_iterations_reports_the_surface_as_it_is) {
+  RunOptions options = minimizing("bending=1", 1, 1);
+  options.max_iterations = 0;
+  const Cage cage = *generate_cage("cube");
+  const umbilic::Run run = finished(cage, options);
+  EXPECT_EQ(run.levels()[0].stop, StopReason::kMaxIterations);
+  EXPECT_EQ(run.energies().functionals[kBending], evaluate(cage, CapKind::kSmooth, 1)->energies.functionals[kBending]);
+}
+
+TEST(Run, raises_the_first_level_as_the_cage_needs) {
+  umbilic::Run run =
+      *umbilic::Run::create(*generate_cage("two-3", {.family = FrameFamily::kHub}), minimizing("bending=1", 0, 0));
+  EXPECT_EQ(run.progress().level, 2);
+  while (!run.step(100)) {
+  }
+  ASSERT_EQ(run.levels().size(), 1u);
+  EXPECT_EQ(run.levels()[0].level, 2);
+}
+
+TEST(Run, refuses_options_out_of_range_and_functionals_that_diverge) {
+  const Cage cage = *generate_cage("cube");
+  const auto message = [&](const RunOptions& options) { return umbilic::Run::create(cage, options).error().message; };
+  EXPECT_EQ(message(RunOptions{}), "all weights are zero");
+  RunOptions options = minimizing("bending=1", 2, 1);
+  EXPECT_EQ(message(options), "levels 2..1: expected 0 <= first <= last");
+  options = minimizing("bending=1", 0, 12);
+  EXPECT_NE(message(options).find("at most 2000000"), std::string::npos);
+  options = minimizing("mvs=1", 1, 1);
+  options.cap = CapKind::kNone;
+  EXPECT_NE(message(options).find("mvs diverges at extraordinary vertices"), std::string::npos);
+  options.weights = *weights_of("bending");
+  EXPECT_TRUE(umbilic::Run::create(cage, options).ok());
+}
+
+TEST(Run, reports_third_order_energies_without_a_cap_as_not_a_number) {
+  const EvaluationReport report = *evaluate(*generate_cage("cube"), CapKind::kNone, 1);
+  EXPECT_TRUE(std::isnan(report.energies.functionals[kMvs]));
+  EXPECT_TRUE(std::isfinite(report.energies.functionals[kBending]));
+  EXPECT_TRUE(std::isfinite(evaluate(*generate_cage("torus"), CapKind::kNone, 0)->energies.functionals[kMvs]));
+}
+
+TEST(Run, bending_of_a_cube_becomes_that_of_the_sphere) {
+  const umbilic::Run run = finished(*generate_cage("cube"), minimizing("bending=1", 0, 2));
+  const double energy = run.levels().back().energy_reported;
+  EXPECT_GT(energy, kSphereBending * (1 - 1e-7));
+  EXPECT_LT(energy, kSphereBending * (1 + 1e-3));
+}
+
+TEST(Run, gradients_of_generated_cages_agree_with_differences) {
+  for (const char* functional : {"bending", "mvs_cross"}) {
+    const GradientReport report = *check_gradient(*generate_cage("two-3"), *weights_of(functional), CapKind::kSmooth);
+    EXPECT_TRUE(report.ok) << functional << " " << report.relative_mismatch;
+  }
+}
+
+}  // namespace
+}  // namespace umbilic
