@@ -85,6 +85,14 @@ Eigen::VectorXd Lbfgs::direction() const {
   return d;
 }
 
+/// What is left of a geometric sequence of decreases, from the last two spans of iterations, but no less than the last:
+/// a fast beginning says little about a slow end.
+double Lbfgs::trend() const {
+  const double middle = recent_values_[options_.trend];
+  const double older = recent_values_.front() - middle, newer = middle - recent_values_.back();
+  return newer < older ? newer * std::max(1.0, newer / (older - newer)) : older + newer;
+}
+
 void Lbfgs::begin_iteration() {
   direction_ = direction();
   double slope = direction_.dot(gradient_);
@@ -95,8 +103,8 @@ void Lbfgs::begin_iteration() {
   }
   const double model = -slope / 2;
   const double threshold = options_.tolerance * std::max(value_, options_.floor);
-  const bool has_trend = static_cast<int>(recent_values_.size()) > options_.trend;
-  predicted_ = has_trend ? std::max(model, recent_values_.front() - value_) : model;
+  const bool has_trend = static_cast<int>(recent_values_.size()) > 2 * options_.trend;
+  predicted_ = has_trend ? std::max(model, trend()) : model;
   if (model <= kModelAlone * threshold || (has_trend && predicted_ <= threshold)) {
     stop_ = StopReason::kConverged;
   } else if (!(slope < 0) || model <= kRelativeRoundOff * std::abs(value_)) {
@@ -127,7 +135,7 @@ void Lbfgs::end_iteration() {
   gradient_ = trial_.gradient;
   value_ = trial_.value;
   recent_values_.push_back(value_);
-  if (static_cast<int>(recent_values_.size()) > options_.trend + 1) recent_values_.pop_front();
+  if (static_cast<int>(recent_values_.size()) > 2 * options_.trend + 1) recent_values_.pop_front();
   if (trial_.degenerate) stop_ = StopReason::kDegenerate;
 }
 

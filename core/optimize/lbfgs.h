@@ -20,11 +20,13 @@ struct LbfgsOptions {
       1e-6;          ///< >= 0: converged when the decrease still predicted is at most tolerance * max(value, floor)
   double floor = 0;  ///< >= 0, in units of the objective
   double max_displacement = 1e300;  ///< > 0: largest change of an unknown in the first trial of a step
-  int trend = 10;                   ///< > 0: iterations whose decrease is the second estimate of what is still to gain
+  int trend = 10;                   ///< > 0: iterations in each of the two spans whose decreases are extrapolated
 };
 
 /// Nocedal & Wright, algorithm 7.4, with H0 = gamma metric^-1, gamma = s.y / (y . metric^-1 y). The decrease still
-/// predicted is the larger of the quadratic model's, g . H g / 2, and the decrease of the last `trend` iterations.
+/// predicted is the larger of the quadratic model's, g . H g / 2, and of what the decreases of the last two spans of
+/// iterations leave when they go on as a geometric sequence, at least the last one; before there are so many, a model
+/// far below the tolerance is believed alone.
 class Lbfgs {
  public:
   /// `objective` and `metric` outlive the optimizer.
@@ -58,6 +60,7 @@ class Lbfgs {
   };
 
   void evaluate(const Eigen::VectorXd& at);
+  double trend() const;
   void begin_iteration();
   void end_iteration();
   void restart_or_stall();
