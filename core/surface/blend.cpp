@@ -40,7 +40,7 @@ Derivatives1 falling_logistic(double x) {
 }  // namespace
 
 Derivatives1 paper_blend(double t) {
-  if (t <= 0) return {1, 0, 0, 0};
+  if (1 - t >= 1) return {1, 0, 0, 0};
   if (t >= 1) return {0, 0, 0, 0};
   const Derivatives1 here = log_h(t);
   Derivatives1 mirrored = log_h(1 - t);
@@ -56,7 +56,7 @@ Derivatives1 smoothstep_blend(double t) {
   if (t <= 0) return {1, 0, 0, 0};
   if (t >= 1) return {0, 0, 0, 0};
   const double s = 1 - t;
-  return {1 - t * t * t * t * (35 - 84 * t + 70 * t * t - 20 * t * t * t), -140 * t * t * t * s * s * s,
+  return {s * s * s * s * (1 + 4 * t + 10 * t * t + 20 * t * t * t), -140 * t * t * t * s * s * s,
           -420 * t * t * s * s * (1 - 2 * t), -840 * t * s * (1 - 5 * t * s)};
 }
 

@@ -16,8 +16,8 @@ namespace umbilic {
 namespace {
 
 /// Enough that the fit does not change in its tenth digit.
-constexpr int kFitPoints = 8;
-constexpr int kFitGrading = 3;
+constexpr int kFitPoints = 12;
+constexpr int kFitGrading = 2;
 
 int degree(CapShape shape) { return shape == CapShape::kTwoRing ? 4 : 3; }
 

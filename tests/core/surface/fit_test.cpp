@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The polynomial of a smooth cap: what it reproduces, its symmetry, and that it is the least-squares fit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "mesh/rough_cages.h"
+#include "surface/quadrature.h"
+#include "surface/whole_basis.h"
+
+namespace umbilic::test {
+namespace {
+
+/// Value at (x, y) of the polynomial with coefficients in the order of the fit.
+double polynomial(const Eigen::VectorXd& coefficients, double x, double y) {
+  double sum = 0;
+  int column = 0;
+  for (int k = 0; column < coefficients.size(); ++k) {
+    for (int l = 0; l <= k; ++l) sum += coefficients[column++] * std::pow(x, k - l) * std::pow(y, l);
+  }
+  return sum;
+}
+
+TEST(FitSlow, reproduces_constants_and_the_characteristic_map) {
+  for (const CapShape shape : kPolynomialShapes) {
+    for (int valence = 3; valence <= 24; ++valence) {
+      const CapSector& cap = cap_sector(valence, shape);
+      const Eigen::MatrixXd xy = cap.fit() * cap.net().characteristic_net();
+      const int count = coefficient_count(shape);
+      EXPECT_LT((xy.col(0) - Eigen::VectorXd::Unit(count, 1)).norm(), 1e-11) << "x, valence " << valence;
+      EXPECT_LT((xy.col(1) - Eigen::VectorXd::Unit(count, 2)).norm(), 1e-11) << "y, valence " << valence;
+      EXPECT_LT((cap.fit().rowwise().sum() - Eigen::VectorXd::Unit(count, 0)).norm(), 1e-11) << "1, " << valence;
+    }
+  }
+}
+
+TEST(Fit, leaves_the_characteristic_map_as_it_is) {
+  for (const CapShape shape : kPolynomialShapes) {
+    for (const int valence : {3, 5, 11, 24}) {
+      const CapSector& cap = cap_sector(valence, shape);
+      const Eigen::Matrix<double, Eigen::Dynamic, 2> net = cap.net().characteristic_net();
+      const double u = 0.4 * rim(shape), v = 0.55 * rim(shape);
+      EXPECT_LT((whole_basis(cap, 1, u, v) * net - turned(cap.net(), cap.net().basis(u, v), 1) * net).norm(), 1e-10);
+    }
+  }
+}
+
+TEST(Fit, turns_with_the_sectors) {
+  for (const CapShape shape : kPolynomialShapes) {
+    for (const int valence : {3, 5, 8, 13, 24}) {
+      const CapSector& cap = cap_sector(valence, shape);
+      const Eigen::VectorXd net = Random(4).matrix<Eigen::VectorXd>(cap.net().size(), 1);
+      const double angle = 2 * std::numbers::pi / valence, c = std::cos(angle), s = std::sin(angle);
+      const Eigen::VectorXd here = cap.fit() * net, next = turned(cap.net(), cap.fit(), 1) * net;
+      for (const auto& [x, y] : {std::pair{0.3, 0.1}, {-0.4, 0.8}, {0.9, -0.3}}) {
+        EXPECT_NEAR(polynomial(next, x, y), polynomial(here, c * x - s * y, s * x + c * y), 1e-12);
+      }
+    }
+  }
+}
+
+TEST(Fit, is_symmetric_under_the_reflection_that_swaps_u_and_v) {
+  for (const CapShape shape : kPolynomialShapes) {
+    for (const int valence : {3, 5, 8, 13, 24}) {
+      const CapSector& cap = cap_sector(valence, shape);
+      const RingNet& ring = cap.net();
+      const Eigen::VectorXd net = Random(6).matrix<Eigen::VectorXd>(ring.size(), 1);
+      Eigen::VectorXd mirrored(ring.size());
+      mirrored[0] = net[0];
+      for (int j = 0; j < valence; ++j) {
+        for (int a = 1; a <= RingNet::kRings; ++a) {
+          for (int b = 0; b <= RingNet::kRings; ++b) mirrored[ring.index(-j, b, a)] = net[ring.index(j, a, b)];
+        }
+      }
+      const double angle = 2 * std::numbers::pi / valence, c = std::cos(angle), s = std::sin(angle);
+      const Eigen::VectorXd here = cap.fit() * net, there = cap.fit() * mirrored;
+      for (const auto& [x, y] : {std::pair{0.3, 0.1}, {-0.4, 0.8}, {0.9, -0.3}}) {
+        EXPECT_NEAR(polynomial(there, x, y), polynomial(here, c * x + s * y, s * x - c * y), 1e-12);
+      }
+    }
+  }
+}
+
+TEST(FitSlow, of_two_rings_is_orthogonal_to_its_residual_by_another_quadrature) {
+  // Normal equations: integral over the second ring of |grad b|^2 (S - Q) m = 0 for every monomial m. The integrand is
+  // a polynomial of degree below 40 in each variable on each face, so that 20 points are exact; the fit's own, fewer
+  // ones are not, hence the tolerance.
+  for (const int valence : {3, 5, 9}) {
+    const CapSector& cap = cap_sector(valence, CapShape::kTwoRing);
+    const RingNet& ring = cap.net();
+    const Eigen::Matrix<double, Eigen::Dynamic, 2> characteristic = ring.characteristic_net();
+    const Eigen::VectorXd net = Random(8).matrix<Eigen::VectorXd>(ring.size(), 1);
+    const Eigen::VectorXd coefficients = cap.fit() * net;  // of the one polynomial, in sector 0's coordinates
+    Eigen::VectorXd moments = Eigen::VectorXd::Zero(15), sizes = moments;
+    for (const auto& [i, j] : {std::pair{1, 0}, {0, 1}, {1, 1}}) {
+      for (const Sample& sample : tensor_rule(20)) {
+        const DerivativeRows basis = ring.basis(sample.u + i, sample.v + j);
+        const Derivatives b = cap.basis(sample.u + i, sample.v + j).col(ring.size());
+        const Eigen::RowVector2d xy = basis.row(0) * characteristic;
+        const double weight = sample.weight * (b[1] * b[1] + b[2] * b[2]);
+        const Eigen::RowVectorXd here = basis.row(0);
+        for (int sector = 0; sector < valence; ++sector) {
+          const double angle = 2 * std::numbers::pi * sector / valence, c = std::cos(angle), s = std::sin(angle);
+          const double x = c * xy[0] - s * xy[1], y = s * xy[0] + c * xy[1];
+          const double residual = turned(ring, here, sector).dot(net) - polynomial(coefficients, x, y);
+          for (int m = 0; m < 15; ++m) {
+            const double test = polynomial(Eigen::VectorXd::Unit(15, m), x, y);
+            moments[m] += weight * residual * test;
+            sizes[m] += weight * std::abs(residual * test);
+          }
+        }
+      }
+    }
+    EXPECT_LT(moments.cwiseQuotient(sizes).cwiseAbs().maxCoeff(), 1e-8) << "valence " << valence;
+  }
+}
+
+}  // namespace
+}  // namespace umbilic::test

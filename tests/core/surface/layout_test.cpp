@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The layout covers every face once, gives caps the room there is, and its extension is linear with the right
+/// transpose.
+#include "surface/layout.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "mesh/rough_cages.h"
+
+namespace umbilic::test {
+namespace {
+
+constexpr CapKind kAllCaps[] = {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth};
+
+TEST(PatchLayout, covers_every_face_exactly_once) {
+  for (const CapKind cap : kAllCaps) {
+    for (const int steps : {1, 2, 3}) {
+      for (const Cage& cage : {cube(), trapezohedron(5), trapezohedron(9)}) {
+        const PolygonMesh mesh = refined(cage, steps).mesh;
+        const PatchLayout layout(mesh, cap);
+        std::multiset<int> faces;
+        for (const PatchSet& set : layout.sets()) {
+          EXPECT_EQ(set.points.size(), static_cast<std::size_t>(set.count() * set.columns));
+          for (const int h : set.halfedges) faces.insert(mesh.face(h));
+        }
+        EXPECT_EQ(static_cast<int>(faces.size()), mesh.face_count());
+        for (int f = 0; f < mesh.face_count(); ++f) EXPECT_EQ(faces.count(f), 1u) << "face " << f;
+      }
+    }
+  }
+}
+
+TEST(PatchLayout, a_patch_at_a_cap_starts_at_the_extraordinary_vertex) {
+  const PolygonMesh mesh = refined(trapezohedron(6), 2).mesh;
+  for (const CapKind cap : kAllCaps) {
+    const PatchLayout layout(mesh, cap);
+    for (const PatchSet& set : layout.sets()) {
+      for (int p = 0; p < set.count() && set.kind.at_extraordinary(); ++p) {
+        EXPECT_EQ(mesh.origin(set.halfedges[p]), layout.caps()[set.caps[p]].vertex);
+        EXPECT_EQ(mesh.valence(mesh.origin(set.halfedges[p])), set.kind.valence);
+      }
+    }
+  }
+}
+
+TEST(PatchLayout, smooth_caps_take_two_rings_where_extraordinary_vertices_are_4_edges_apart_and_one_before) {
+  for (const Cage& cage : {cube(), trapezohedron(7)}) {
+    for (const auto& [steps, shape] :
+         {std::pair{1, CapShape::kOneRing}, {2, CapShape::kTwoRing}, {3, CapShape::kTwoRing}}) {
+      const PatchLayout layout(refined(cage, steps).mesh, CapKind::kSmooth);
+      EXPECT_FALSE(layout.caps().empty());
+      for (const Cap& cap : layout.caps()) EXPECT_EQ(cap.shape, shape) << "level " << steps;
+    }
+  }
+}
+
+TEST(PatchLayout, flat_and_bare_caps_have_no_coefficients) {
+  const PolygonMesh mesh = refined(cube(), 2).mesh;
+  for (const CapKind cap : {CapKind::kNone, CapKind::kFlat}) {
+    EXPECT_EQ(PatchLayout(mesh, cap).point_count(), mesh.vertex_count());
+  }
+  EXPECT_EQ(PatchLayout(mesh, CapKind::kSmooth).point_count(), mesh.vertex_count() + 8 * 3 * 15);
+}
+
+TEST(PatchLayout, extends_control_points_by_the_fit_of_each_sector) {
+  const Refined mesh = rough(trapezohedron(5), 2, 0.1, 2);
+  const PatchLayout layout(mesh.mesh, CapKind::kSmooth);
+  const Points points = layout.extend(mesh.control);
+  EXPECT_EQ(points.topRows(layout.control_count()), mesh.control);
+  for (const Cap& cap : layout.caps()) {
+    const CapSector& sector = cap_sector(cap.valence, cap.shape);
+    for (int j = 0; j < cap.valence; ++j) {
+      Points net(sector.net().size(), 3);
+      net.row(0) = mesh.control.row(cap.net[0]);
+      for (int a = 1; a <= RingNet::kRings; ++a) {
+        for (int b = 0; b <= RingNet::kRings; ++b) {
+          for (int k = 0; k < cap.valence; ++k) {  // sector k as seen from sector j
+            net.row(sector.net().index(k, a, b)) = mesh.control.row(cap.net[sector.net().index(j + k, a, b)]);
+          }
+        }
+      }
+      const Points expected = sector.fit() * net;
+      EXPECT_LT((points.middleRows(cap.first_coefficient + 15 * j, 15) - expected).norm(), 1e-12 * expected.norm());
+    }
+  }
+}
+
+TEST(PatchLayout, pull_back_is_the_transpose_of_extend) {
+  for (const int steps : {1, 2}) {
+    const Refined mesh = rough(trapezohedron(5), steps, 0.1, 2);
+    const PatchLayout layout(mesh.mesh, CapKind::kSmooth);
+    Random random(11);
+    const Points x = random.points(layout.control_count()), w = random.points(layout.point_count());
+    Points pulled = w;
+    layout.pull_back(pulled);
+    ASSERT_EQ(pulled.rows(), layout.control_count());
+    const double forward = layout.extend(x).cwiseProduct(w).sum(), backward = x.cwiseProduct(pulled).sum();
+    EXPECT_NEAR(forward, backward, 1e-11 * std::abs(forward));  // sums of thousands of terms
+    EXPECT_LT((layout.extension() * x - layout.extend(x)).norm(), 1e-12 * layout.extend(x).norm());
+  }
+}
+
+}  // namespace
+}  // namespace umbilic::test
