@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// A control cage as a user gives it: a closed, orientable polygon mesh with faces of any size; its validation and its
+/// counts.
+#pragma once
+
+#include <vector>
+
+#include "base/result.h"
+#include "base/types.h"
+
+namespace umbilic {
+
+struct Cage {
+  Points vertices;
+  std::vector<std::vector<int>> faces;  ///< corners in cyclic order, zero-based
+};
+
+struct CageComponent {
+  int vertices = 0;
+  int edges = 0;
+  int faces = 0;
+  int genus = 0;
+};
+
+struct CageReport {
+  int vertices = 0;
+  int edges = 0;
+  int faces = 0;
+  int genus = 0;                          ///< sum over components
+  std::vector<CageComponent> components;  ///< in the order of their first face
+};
+
+/// Where a cage's elements stand in the text that it was read from, for messages; empty when it was not read.
+struct CageSource {
+  std::vector<int> vertex_lines;  ///< one-based line of each vertex
+  std::vector<int> face_lines;    ///< one-based line of each face
+  int first_index = 1;            ///< what the text calls its first vertex
+};
+
+/// Checks that the cage is a closed, edge- and vertex-manifold, orientable surface with finite vertices, every index in
+/// range, at least three vertices in a face and none twice, and at least one face. Then turns the faces of each
+/// component to one orientation that encloses positive volume (or keeps the first face's, where the volume vanishes),
+/// and drops the vertices that no face uses, because the surface does not depend on them; the others keep their order.
+/// The cage is unchanged when there is an error.
+///
+/// Errors name the vertex, edge or face, and its line where `source` knows it: vertices as the text numbers them, faces
+/// from 1.
+Result<CageReport> validate(Cage& cage, const CageSource& source = {});
+
+}  // namespace umbilic

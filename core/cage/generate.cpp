@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Names of the generated cages, the cube and the torus; frames are made in frame.cpp.
+#include "cage/generate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cage/frame.h"
+#include "cage/polyhedra.h"
+
+namespace umbilic {
+
+namespace {
+
+constexpr int kFewestArms = 3;
+constexpr int kMostArms = 12;
+
+std::vector<CageName> make_names() {
+  std::vector<CageName> names{
+      {"cube", "genus 0: six quads", CageKind::kCube, 0},
+      {"torus", "genus 1: a torus of revolution, without extraordinary vertices", CageKind::kTorus, 1}};
+  for (int arms = kFewestArms; arms <= kMostArms; ++arms) {
+    names.push_back({fmt::format("two-{}", arms),
+                     fmt::format("genus {}: two junctions joined by {} arms", arms - 1, arms), CageKind::kTwoJunctions,
+                     arms - 1});
+  }
+  for (const Polyhedron& p : polyhedra()) {
+    const int genus = p.edges - p.vertices + 1;
+    names.push_back({std::string(p.name),
+                     fmt::format("genus {}: the edges of {}, {} junctions", genus, p.solid, p.vertices),
+                     CageKind::kPolyhedron, genus});
+  }
+  return names;
+}
+
+Cage cube() {
+  Cage cage;
+  cage.vertices.resize(8, 3);
+  cage.vertices << -1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1;
+  cage.faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  return cage;
+}
+
+Result<Cage> torus(const CageOptions& options) {
+  constexpr int kMostSegments = 1000;
+  const int around = options.major_segments;
+  const int along = options.minor_segments;
+  for (const int segments : {around, along}) {
+    if (segments < 3 || segments > kMostSegments)
+      return Error{fmt::format("{} segments are not 3 to {}", segments, kMostSegments)};
+  }
+  if (!(options.ratio > 0 && options.ratio < 1))
+    return Error{fmt::format("ratio {} is not between 0 and 1", options.ratio)};
+  constexpr double kThinnest = 0.01;
+  if (!(options.thickness >= kThinnest && options.thickness * options.ratio < 1)) {
+    return Error{fmt::format("thickness {} is not at least {} and less than {} (1 / ratio)", options.thickness,
+                             kThinnest, 1 / options.ratio)};
+  }
+  const double minor = options.ratio * options.thickness;
+
+  constexpr double kTwoPi = 6.283185307179586;
+  Cage cage;
+  cage.vertices.resize(around * along, 3);
+  for (int i = 0; i < around; ++i) {
+    const double longitude = kTwoPi * i / around;
+    for (int j = 0; j < along; ++j) {
+      const double latitude = kTwoPi * j / along;
+      const double radius = 1 + minor * std::cos(latitude);
+      cage.vertices.row(i * along + j) << radius * std::cos(longitude), radius * std::sin(longitude),
+          minor * std::sin(latitude);
+      const int next_i = (i + 1) % around * along;
+      const int next_j = (j + 1) % along;
+      cage.faces.push_back({i * along + j, next_i + j, next_i + next_j, i * along + next_j});
+    }
+  }
+  return cage;
+}
+
+SphereMap sphere_map(const CageName& cage) {
+  if (cage.kind == CageKind::kTwoJunctions) return hosohedron(cage.genus + 1);
+  const auto polyhedron =
+      std::find_if(polyhedra().begin(), polyhedra().end(), [&](const auto& p) { return p.name == cage.name; });
+  return uniform_polyhedron(polyhedron->make());
+}
+
+Result<Cage> frame(const CageName& name, CageOptions options) {
+  if (name.kind != CageKind::kTwoJunctions) options.spread = 1;
+  const SphereMap map = sphere_map(name);
+  const auto shape = frame_shape(map, options);
+  if (!shape) return shape.error();
+  return options.family == FrameFamily::kHub ? hub_frame(map, *shape) : flag_frame(map, *shape);
+}
+
+}  // namespace
+
+const std::vector<CageName>& cage_names() {
+  static const std::vector<CageName> names = make_names();
+  return names;
+}
+
+Result<Cage> generate_cage(std::string_view name, const CageOptions& options) {
+  const std::vector<CageName>& names = cage_names();
+  const auto known = std::find_if(names.begin(), names.end(), [&](const CageName& n) { return n.name == name; });
+  if (known == names.end()) {
+    std::string list;
+    for (const CageName& n : names) list += (list.empty() ? "" : ", ") + n.name;
+    return Error{fmt::format("there is no cage called {}; there are {}", name, list)};
+  }
+  switch (known->kind) {
+    case CageKind::kCube: return cube();
+    case CageKind::kTorus: return torus(options);
+    case CageKind::kTwoJunctions:
+    case CageKind::kPolyhedron: break;
+  }
+  return frame(*known, options);
+}
+
+}  // namespace umbilic

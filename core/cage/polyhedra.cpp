@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Coordinates of uniform polyhedra about the origin.
+#include "cage/polyhedra.h"
+
+#include <array>
+#include <cmath>
+
+namespace umbilic {
+
+namespace {
+
+constexpr std::array<double, 2> kSigns{1, -1};
+
+std::vector<Vector3> tetrahedron() { return {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}; }
+
+std::vector<Vector3> cube() {
+  std::vector<Vector3> vertices;
+  for (const double z : kSigns) {
+    for (const double y : kSigns) {
+      for (const double x : kSigns) vertices.emplace_back(x, y, z);
+    }
+  }
+  return vertices;
+}
+
+std::vector<Vector3> octahedron() {
+  std::vector<Vector3> vertices;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : kSigns) vertices.push_back(sign * Vector3::Unit(axis));
+  }
+  return vertices;
+}
+
+/// Square sides: edges of length 1.
+std::vector<Vector3> hexagonal_prism() {
+  const double s = std::sqrt(3.) / 2;
+  std::vector<Vector3> vertices;
+  for (const double z : {0.5, -0.5}) {
+    for (const auto& [x, y] : {std::array{1., 0.}, {0.5, s}, {-0.5, s}, {-1., 0.}, {-0.5, -s}, {0.5, -s}}) {
+      vertices.emplace_back(x, y, z);
+    }
+  }
+  return vertices;
+}
+
+/// The permutations of (3, 1, 1) with an even number of signs.
+std::vector<Vector3> truncated_tetrahedron() {
+  std::vector<Vector3> vertices;
+  for (const Vector3& corner : tetrahedron()) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Vector3 vertex = corner;
+      vertex[axis] *= 3;
+      vertices.push_back(vertex);
+    }
+  }
+  return vertices;
+}
+
+/// A cube's vertices and the even permutations of (0, ±phi, ±1/phi), phi the golden ratio.
+std::vector<Vector3> dodecahedron() {
+  const double phi = (1 + std::sqrt(5.)) / 2;
+  std::vector<Vector3> vertices = cube();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double a : kSigns) {
+      for (const double b : kSigns)
+        vertices.push_back(a * phi * Vector3::Unit((axis + 1) % 3) + b / phi * Vector3::Unit((axis + 2) % 3));
+    }
+  }
+  return vertices;
+}
+
+}  // namespace
+
+const std::vector<Polyhedron>& polyhedra() {
+  static const std::vector<Polyhedron> all{
+      {"tetrahedron-frame", "a tetrahedron", 4, 6, tetrahedron},
+      {"cube-frame", "a cube", 8, 12, cube},
+      {"octahedron-frame", "an octahedron", 6, 12, octahedron},
+      {"hexagonal-prism-frame", "a hexagonal prism", 12, 18, hexagonal_prism},
+      {"truncated-tetrahedron-frame", "a truncated tetrahedron", 12, 18, truncated_tetrahedron},
+      {"dodecahedron-frame", "a dodecahedron", 20, 30, dodecahedron},
+  };
+  return all;
+}
+
+}  // namespace umbilic

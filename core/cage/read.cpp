@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Tells the formats apart and validates what was read.
+#include "cage/read.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "cage/formats.h"
+
+namespace umbilic {
+
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kLongestText = std::numeric_limits<int>::max();  // line numbers and indices are ints
+
+int line_of(std::string_view text, std::size_t position) {
+  const std::string_view before = text.substr(0, position);
+  int line = 1;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const bool crlf = before[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+    if (before[i] == '\n' || (before[i] == '\r' && !crlf)) ++line;
+  }
+  return line;
+}
+
+}  // namespace
+
+Result<Cage> read_cage(std::string_view text) {
+  if (text.size() > kLongestText) return Error{"the file is larger than 2 GB"};
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+  if (text.find_first_not_of(" \t\v\f\r\n") == std::string_view::npos) return Error{"the file is empty"};
+
+  // Binary OFF is recognized by its first line, before its bytes are.
+  auto file = is_off(text) ? parse_off(text) : parse_obj(text);
+  if (const std::size_t zero = text.find('\0'); !file && zero != std::string_view::npos && !is_off(text)) {
+    return Error{fmt::format("line {}: not a text file: it holds a zero byte", line_of(text, zero))};
+  }
+  if (!file) return file.error();
+  const auto report = validate(file->cage, file->source);
+  if (!report) return report.error();
+  return std::move(file->cage);
+}
+
+}  // namespace umbilic

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Cages from OBJ and OFF text. Files come from strangers: every error names its line.
+#pragma once
+
+#include <string_view>
+
+#include "cage/cage.h"
+
+namespace umbilic {
+
+/// Reads OFF when the first word is OFF (or COFF, NOFF, STOFF …), OBJ otherwise, and validates. OBJ: `v`, `f` with v,
+/// v/vt, v//vn, v/vt/vn and negative indices, line continuation, comments, groups; everything else that OBJ knows is
+/// ignored. CRLF, CR and a byte-order mark are accepted.
+Result<Cage> read_cage(std::string_view text);
+
+}  // namespace umbilic

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// OBJ: the statements `v` and `f`; every other statement says nothing about the control mesh.
+#include <fmt/format.h>
+
+#include <limits>
+#include <string>
+
+#include "cage/formats.h"
+#include "cage/text.h"
+
+namespace umbilic {
+
+namespace {
+
+/// Statements of an OBJ text: lines without comments, joined where a line ends with a backslash.
+class Statements {
+ public:
+  explicit Statements(std::string_view text) : lines_(text) {}
+
+  /// The next statement, numbered by its first line; valid until the next call.
+  std::optional<Line> next() {
+    const auto line = lines_.next();
+    if (!line) return std::nullopt;
+    std::string_view part = without_comment(line->text);
+    if (part.empty() || part.back() != '\\') return Line{part, line->number};
+    joined_.clear();
+    while (!part.empty() && part.back() == '\\') {
+      joined_.append(part.substr(0, part.size() - 1)).append(" ");
+      const auto more = lines_.next();
+      part = more ? without_comment(more->text) : std::string_view{};
+    }
+    joined_.append(part);
+    return Line{joined_, line->number};
+  }
+
+ private:
+  LineReader lines_;
+  std::string joined_;
+};
+
+/// Whether `tail` is what may follow the vertex in a corner: "", "/t", "//n" or "/t/n".
+bool is_corner_tail(std::string_view tail) {
+  if (tail.empty()) return true;
+  tail.remove_prefix(1);
+  const std::size_t slash = tail.find('/');
+  const std::string_view texture = tail.substr(0, slash);
+  if (!texture.empty() && !parse_integer(texture)) return false;
+  if (slash == std::string_view::npos) return true;
+  const std::string_view normal = tail.substr(slash + 1);
+  return normal.empty() || parse_integer(normal);
+}
+
+/// The zero-based vertex that a corner names, `known` vertices having been read before it. Positive indices may refer
+/// to vertices further down, so their upper bound is left to validation.
+Result<int> parse_corner(std::string_view word, int known) {
+  const std::size_t slash = word.find('/');
+  const auto index = parse_integer(word.substr(0, slash));
+  if (!index || !is_corner_tail(slash == std::string_view::npos ? std::string_view{} : word.substr(slash))) {
+    return Error{fmt::format("{} is not a face corner (v, v/vt, v//vn or v/vt/vn)", in_quotes(word))};
+  }
+  if (*index == 0) return Error{"vertex 0 does not exist: indices start at 1"};
+  if (*index < -static_cast<long long>(known)) {
+    return Error{fmt::format("vertex {} does not exist: {} come before this line", *index, known)};
+  }
+  if (*index < 0) return static_cast<int>(known + *index);
+  if (*index > std::numeric_limits<int>::max()) return Error{fmt::format("vertex {} does not exist", in_quotes(word))};
+  return static_cast<int>(*index - 1);
+}
+
+Error at_line(int line, const std::string& message) { return Error{fmt::format("line {}: {}", line, message)}; }
+
+}  // namespace
+
+Result<PolygonFile> parse_obj(std::string_view text) {
+  PolygonFile file;
+  VertexList vertices;
+  Statements statements(text);
+  while (const auto statement = statements.next()) {
+    std::string_view words = statement->text;
+    const std::string_view keyword = take_word(words);
+    if (keyword == "v") {
+      const auto position = vertices.append(words);
+      if (!position) return at_line(statement->number, position.error().message);
+      file.source.vertex_lines.push_back(statement->number);
+    } else if (keyword == "f") {
+      std::vector<int> face;
+      for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
+        const auto corner = parse_corner(word, vertices.size());
+        if (!corner) return at_line(statement->number, corner.error().message);
+        face.push_back(*corner);
+      }
+      file.cage.faces.push_back(std::move(face));
+      file.source.face_lines.push_back(statement->number);
+    }
+  }
+  if (vertices.size() == 0 && file.cage.faces.empty()) {
+    return Error{"neither OBJ nor OFF: there is no line of an OBJ vertex or face, and no OFF keyword at the start"};
+  }
+  if (file.cage.faces.empty()) {
+    return Error{
+        "the file has vertices but no faces (no line that begins with f); curves, points and free-form surfaces are "
+        "not read"};
+  }
+  file.cage.vertices = vertices.points();
+  return file;
+}
+
+}  // namespace umbilic

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Validation of a cage: its steps, in the order in which a user can mend what they find.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "cage/cage.h"
+#include "cage/edges.h"
+#include "cage/outward.h"
+
+namespace umbilic {
+
+namespace {
+
+/// Names elements in error messages.
+class Naming {
+ public:
+  explicit Naming(const CageSource& source) : source_(source) {}
+
+  int vertex(int v) const { return v + source_.first_index; }
+
+  Error at_face(int face, const std::string& what) const {
+    return Error{fmt::format("{}face {} {}", line(source_.face_lines, face), face + 1, what)};
+  }
+  Error at_vertex(int v, const std::string& what) const {
+    return Error{fmt::format("{}vertex {} {}", line(source_.vertex_lines, v), vertex(v), what)};
+  }
+  Error at_edge(const EdgeUse& use, const std::string& what) const {
+    return Error{fmt::format("{}edge between vertices {} and {} {}", line(source_.face_lines, use.face),
+                             vertex(use.low), vertex(use.high), what)};
+  }
+
+ private:
+  static std::string line(const std::vector<int>& lines, int element) {
+    const auto index = static_cast<std::size_t>(element);
+    return index < lines.size() ? fmt::format("line {}: ", lines[index]) : std::string();
+  }
+
+  const CageSource& source_;
+};
+
+std::optional<Error> check_vertices(const Cage& cage, const Naming& naming) {
+  for (int v = 0; v < cage.vertices.rows(); ++v) {
+    if (!cage.vertices.row(v).allFinite()) return naming.at_vertex(v, "is not finite");
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_faces(const Cage& cage, const Naming& naming) {
+  if (cage.faces.empty()) return Error{"the cage has no faces"};
+  const auto vertex_count = static_cast<int>(cage.vertices.rows());
+  std::vector<int> last_face(vertex_count, -1);
+  for (int f = 0; f < static_cast<int>(cage.faces.size()); ++f) {
+    const std::vector<int>& face = cage.faces[f];
+    for (const int v : face) {
+      if (v < 0 || v >= vertex_count) {
+        return naming.at_face(
+            f, fmt::format("names vertex {}, but there are {} vertices", naming.vertex(v), vertex_count));
+      }
+      if (std::exchange(last_face[v], f) == f) {
+        return naming.at_face(f, fmt::format("names vertex {} twice", naming.vertex(v)));
+      }
+    }
+    if (face.size() < 3) {
+      return naming.at_face(f, fmt::format("has {} {}", face.size(), face.size() == 1 ? "vertex" : "vertices"));
+    }
+  }
+  return std::nullopt;
+}
+
+/// Two open edges at the same place mean that a program wrote the vertices along a seam twice.
+std::string seam_hint(const Cage& cage, const std::vector<EdgeUse>& open, const Naming& naming) {
+  std::vector<int> rim;
+  for (const EdgeUse& use : open) rim.insert(rim.end(), {use.low, use.high});
+  std::sort(rim.begin(), rim.end());
+  rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+  const auto position = [&](int v) {
+    return std::array{cage.vertices(v, 0), cage.vertices(v, 1), cage.vertices(v, 2)};
+  };
+  std::stable_sort(rim.begin(), rim.end(), [&](int a, int b) { return position(a) < position(b); });
+  const auto twin =
+      std::adjacent_find(rim.begin(), rim.end(), [&](int a, int b) { return position(a) == position(b); });
+  if (twin == rim.end()) return "";
+  return fmt::format("; vertices {} and {} coincide, so merging duplicate vertices may close it",
+                     naming.vertex(twin[0]), naming.vertex(twin[1]));
+}
+
+std::optional<Error> check_edges(const Cage& cage, const std::vector<EdgeUse>& uses, const Naming& naming) {
+  std::vector<EdgeUse> open;
+  for (std::size_t i = 0; i < uses.size();) {
+    std::size_t end = i + 1;
+    while (end < uses.size() && same_edge(uses[i], uses[end])) ++end;
+    if (end - i > 2) return naming.at_edge(uses[i + 2], fmt::format("belongs to {} faces: not a manifold", end - i));
+    if (end - i == 1) open.push_back(uses[i]);
+    i = end;
+  }
+  if (open.empty()) return std::nullopt;
+  const auto in_text_order = [](const EdgeUse& a, const EdgeUse& b) {
+    return std::pair(a.face, a.corner) < std::pair(b.face, b.corner);
+  };
+  const EdgeUse& first = *std::min_element(open.begin(), open.end(), in_text_order);
+  return naming.at_edge(first, fmt::format("has a face on one side only: the surface is open (open edges: {}){}",
+                                           open.size(), seam_hint(cage, open, naming)));
+}
+
+std::optional<Error> check_fans(const Cage& cage, const std::vector<EdgeUse>& uses, const Naming& naming) {
+  const std::vector<int> fans = fan_counts(cage, uses);
+  const auto pinched = std::find_if(fans.begin(), fans.end(), [](int count) { return count > 1; });
+  if (pinched == fans.end()) return std::nullopt;
+  return naming.at_vertex(static_cast<int>(pinched - fans.begin()),
+                          fmt::format("joins {} separate fans of faces: not a manifold", *pinched));
+}
+
+void drop_unused_vertices(Cage& cage) {
+  std::vector<int> renumbered(cage.vertices.rows(), -1);
+  for (const std::vector<int>& face : cage.faces) {
+    for (const int v : face) renumbered[v] = 0;
+  }
+  int kept = 0;
+  for (int v = 0; v < cage.vertices.rows(); ++v) {
+    if (renumbered[v] < 0) continue;
+    cage.vertices.row(kept) = cage.vertices.row(v).eval();
+    renumbered[v] = kept++;
+  }
+  if (kept == cage.vertices.rows()) return;
+  cage.vertices.conservativeResize(kept, Eigen::NoChange);
+  for (std::vector<int>& face : cage.faces) {
+    for (int& v : face) v = renumbered[v];
+  }
+}
+
+/// Counts of a closed, vertex-manifold cage without unused vertices.
+CageReport count(const Cage& cage, const std::vector<EdgeUse>& uses, const Orientation& orientation) {
+  CageReport report;
+  report.vertices = static_cast<int>(cage.vertices.rows());
+  report.edges = static_cast<int>(uses.size() / 2);
+  report.faces = static_cast<int>(cage.faces.size());
+  report.components.resize(orientation.component_count);
+  std::vector<bool> counted(report.vertices, false);
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    CageComponent& component = report.components[orientation.component[f]];
+    ++component.faces;
+    component.edges += static_cast<int>(cage.faces[f].size());  // each edge from both sides
+    for (const int v : cage.faces[f]) {
+      if (counted[v]) continue;
+      counted[v] = true;
+      ++component.vertices;
+    }
+  }
+  for (CageComponent& component : report.components) {
+    component.edges /= 2;
+    component.genus = (2 - (component.vertices - component.edges + component.faces)) / 2;
+    report.genus += component.genus;
+  }
+  return report;
+}
+
+}  // namespace
+
+Result<CageReport> validate(Cage& cage, const CageSource& source) {
+  const Naming naming(source);
+  if (auto error = check_vertices(cage, naming)) return *error;
+  if (auto error = check_faces(cage, naming)) return *error;
+  const std::vector<EdgeUse> uses = edge_uses(cage);
+  if (auto error = check_edges(cage, uses, naming)) return *error;
+  const Orientation orientation = orient(cage, uses);
+  if (orientation.conflict >= 0) {
+    return naming.at_face(orientation.conflict,
+                          "cannot be turned to match all of its neighbours: the surface is not orientable");
+  }
+  if (auto error = check_fans(cage, uses, naming)) return *error;
+  turn_outward(cage, orientation);
+  drop_unused_vertices(cage);
+  return count(cage, uses, orientation);
+}
+
+}  // namespace umbilic

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Polygon meshes as OBJ text, with the shortest decimals that read back to the same doubles.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cage/cage.h"
+
+namespace umbilic {
+
+std::string write_obj(const Cage& cage);
+
+/// Quads with one normal per vertex.
+std::string write_obj(const Points& positions, const Points& normals, const std::vector<std::array<int, 4>>& quads);
+
+}  // namespace umbilic

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Small cages as text, and shorthands for what reading them says.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "cage/cage.h"
+#include "cage/read.h"
+
+namespace umbilic::test {
+
+inline constexpr std::string_view kTetrahedronVertices = "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\n";
+inline constexpr std::string_view kTetrahedronFaces = "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n";
+
+inline std::string tetrahedron_obj() { return std::string(kTetrahedronVertices) + std::string(kTetrahedronFaces); }
+
+inline std::string tetrahedron_off() {
+  return "OFF\n4 4 6\n1 1 1\n1 -1 -1\n-1 1 -1\n-1 -1 1\n3 0 1 2\n3 0 2 3\n3 0 3 1\n3 1 3 2\n";
+}
+
+/// The error of reading `text`, or "" when it is a cage.
+inline std::string error_of(std::string_view text) {
+  const Result<Cage> cage = read_cage(text);
+  return cage ? "" : cage.error().message;
+}
+
+/// Reads a text that must be a cage.
+inline Cage cage_of(std::string_view text) {
+  Result<Cage> cage = read_cage(text);
+  EXPECT_TRUE(cage.ok()) << cage.error().message;
+  return cage ? std::move(cage).value() : Cage{};
+}
+
+/// `tetrahedron` without regard to what stands around it: 4 vertices at the corners of a cube, 4 triangles.
+inline void expect_tetrahedron(std::string_view text) {
+  const Cage cage = cage_of(text);
+  const Cage expected = cage_of(tetrahedron_obj());
+  EXPECT_EQ(cage.vertices, expected.vertices) << text;
+  EXPECT_EQ(cage.faces, expected.faces) << text;
+}
+
+}  // namespace umbilic::test
