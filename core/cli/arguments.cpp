@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Definitions and formulas of the shared arguments.
+#include "cli/arguments.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "cage/text.h"
+
+namespace umbilic {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, CapKind>, 3> kCaps{
+    {{"smooth", CapKind::kSmooth}, {"flat", CapKind::kFlat}, {"none", CapKind::kNone}}};
+
+Result<CapKind> cap_called(const std::string& name) {
+  for (const auto& [known, kind] : kCaps) {
+    if (known == name) return kind;
+  }
+  return Error{fmt::format("{} is not smooth, flat or none", in_quotes(name))};
+}
+
+}  // namespace
+
+void add_cage_argument(CLI::App& command, std::string& path) {
+  command.add_option("CAGE", path, "OBJ or OFF file of a closed polygon mesh, or - for standard input")
+      ->required()
+      ->type_name("");
+}
+
+void add_cap_option(CLI::App& command, CapKind& cap) {
+  command
+      .add_option_function<std::string>(
+          "--cap", [&cap](const std::string& name) { cap = cap_called(name).value(); },
+          "Surface near extraordinary vertices: smooth (polynomial, energies converge),\n"
+          "flat (the tangent plane, as Joshi & Sequin 2007) or none (the limit surface itself,\n"
+          "where third-order energies diverge) [smooth]")
+      ->type_name("CAP")
+      ->check(checked(cap_called));
+}
+
+void add_json_flag(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print JSON instead of a table"); }
+
+std::string_view name_of(CapKind cap) {
+  for (const auto& [name, kind] : kCaps) {
+    if (kind == cap) return name;
+  }
+  return "";
+}
+
+std::string Objective::words() const {
+  if (!functional.empty()) return functional;
+  std::string sum;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] != 0) sum += fmt::format("{}{} {}", sum.empty() ? "" : " + ", weights[i], kFunctionalNames[i]);
+  }
+  return sum;
+}
+
+void add_objective_options(CLI::App& command, Objective& objective) {
+  CLI::Option* functional = command.add_option_function<std::string>(
+      "--functional",
+      [&objective](const std::string& name) {
+        objective.functional = name;
+        objective.weights = weights_of(name).value();
+      },
+      "The functional, see below");
+  functional->type_name("NAME")->check(checked([](const std::string& name) { return weights_of(name); }));
+  CLI::Option* weights = command.add_option_function<std::string>(
+      "--weights", [&objective](const std::string& text) { objective.weights = parse_weights(text).value(); },
+      "Or a weighted sum of functionals, as in bending=0.95,mvs_cross=0.05");
+  weights->type_name("SUM")->check(checked([](const std::string& text) { return parse_weights(text); }));
+  weights->excludes(functional);
+}
+
+void require_objective(const Objective& objective) {
+  if (objective.weights == Weights{}) throw CLI::RequiredError("--functional or --weights");
+}
+
+Result<int> parse_count(std::string_view text, int least, int most) {
+  const auto number = parse_integer(text);
+  if (number && *number >= least && *number <= most) return static_cast<int>(*number);
+  return Error{fmt::format("{} is not an integer from {} to {}", in_quotes(text), least, most)};
+}
+
+Result<double> parse_real(std::string_view text) {
+  const auto number = parse_number(text);
+  if (number && std::isfinite(*number)) return *number;
+  return Error{fmt::format("{} is not a number", in_quotes(text))};
+}
+
+Result<LevelRange> parse_levels(std::string_view text) {
+  const std::size_t dots = text.find("..");
+  const Result<int> first = parse_count(text.substr(0, dots), 0, kMostLevels);
+  const Result<int> last = dots == std::string_view::npos ? first : parse_count(text.substr(dots + 2), 0, kMostLevels);
+  if (first && last && *first <= *last) return LevelRange{*first, *last};
+  return Error{fmt::format("{} is not A..B or A with 0 <= A <= B <= {}", in_quotes(text), kMostLevels)};
+}
+
+std::string functional_help() {
+  return "Functionals: integrals over the surface, with principal curvatures k1 >= k2 along e1, e2, mean curvature H,\n"
+         "second fundamental form II and area A. None depends on the surface's size.\n"
+         "  bending                 integral of k1^2 + k2^2                             sphere: 8 pi\n"
+         "  willmore                integral of H^2                                     sphere: 4 pi\n"
+         "  mvs                     A * integral of (dk1/de1)^2 + (dk2/de2)^2           0 on cyclides\n"
+         "  mvs_cross               A * integral of |grad k1|^2 + |grad k2|^2           0 on spheres\n"
+         "  mehlum_tarrou           A * integral of the mean over directions of (dk_n/ds)^2\n"
+         "  second_form_variation   A * integral of |grad II|^2";
+}
+
+}  // namespace umbilic

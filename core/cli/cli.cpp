@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The command line's frame: help, version, and what becomes of errors.
+#include "cli/cli.h"
+
+#include <csignal>
+#include <new>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/version.h"
+
+namespace umbilic {
+
+int run_command_line(int argc, const char* const* argv) {
+  CLI::App app("umbilic: surfaces that minimize curvature energies, from Catmull-Clark control cages", "umbilic");
+  app.set_version_flag("--version", fmt::format("umbilic {}", version()), "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print help and exit; every command has its own");
+  app.get_formatter()->column_width(32);
+  app.require_subcommand(0, 1);  // so that a misspelt command is named instead of missed
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("umbilic: {}\nRun with --help for more information.\n", error.what());
+  });
+  app.footer(
+      "CAGE is an OBJ or OFF file of a closed polygon mesh, or - for standard input.\n"
+      "Exit codes: 0 ended with a result, 1 check-gradient found a mismatch, 2 bad usage, 3 bad input, 4 cannot "
+      "write.");
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a failed write like any other
+  int exit_code = kEnded;
+  add_cage_command(app, exit_code);
+  add_info_command(app, exit_code);
+  add_evaluate_command(app, exit_code);
+  add_optimize_command(app, exit_code);
+  add_check_gradient_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+    if (app.get_subcommands().empty()) throw CLI::RequiredError("A command");
+  } catch (const CLI::ParseError& error) {
+    const bool asked_for = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help, --version
+    app.exit(error);
+    return asked_for ? kEnded : kBadUsage;
+  } catch (const std::bad_alloc&) {
+    return fail(kBadInput, "out of memory");
+  }
+  return exit_code;
+}
+
+}  // namespace umbilic

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// `umbilic cage`: writes a generated cage.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "cage/generate.h"
+#include "cage/text.h"
+#include "cage/write.h"
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/files.h"
+
+namespace umbilic {
+
+namespace {
+
+struct Arguments {
+  std::string name;
+  std::string output = "-";
+  CageOptions options;
+  bool list = false;
+};
+
+std::string list_of_cages() {
+  std::string text;
+  for (const CageName& cage : cage_names()) text += fmt::format("{:<28} {}\n", cage.name, cage.description);
+  return text;
+}
+
+struct Segments {
+  int major;
+  int minor;
+};
+
+/// "MxN": quads around the axis, and around the tube. generate_cage knows the range.
+Result<Segments> parse_segments(std::string_view text) {
+  constexpr int kMost = 1'000'000;
+  const std::size_t cross = text.find('x');
+  const Result<int> major = parse_count(text.substr(0, cross), 1, kMost);
+  const Result<int> minor = parse_count(cross == std::string_view::npos ? "" : text.substr(cross + 1), 1, kMost);
+  if (major && minor) return Segments{*major, *minor};
+  return Error{fmt::format("{} is not MxN, two numbers of segments", in_quotes(text))};
+}
+
+Result<FrameFamily> family_called(const std::string& name) {
+  if (name == "hub") return FrameFamily::kHub;
+  if (name == "flag") return FrameFamily::kFlag;
+  return Error{fmt::format("{} is not hub or flag", in_quotes(name))};
+}
+
+/// An option that a cage does not have would be ignored in silence.
+std::optional<std::string> misplaced_option(const CLI::App& command, const CageName& cage) {
+  const bool frame = cage.kind == CageKind::kTwoJunctions || cage.kind == CageKind::kPolyhedron;
+  const bool torus = cage.kind == CageKind::kTorus;
+  const std::initializer_list<std::pair<const char*, bool>> applies{{"--family", frame},
+                                                                    {"--thickness", frame || torus},
+                                                                    {"--spread", cage.kind == CageKind::kTwoJunctions},
+                                                                    {"--ratio", torus},
+                                                                    {"--segments", torus}};
+  for (const auto& [option, has] : applies) {
+    if (!has && command.count(option) > 0) return fmt::format("cage {} has no {}", cage.name, option);
+  }
+  return std::nullopt;
+}
+
+int run(const CLI::App& command, const Arguments& arguments) {
+  if (arguments.list) return print(list_of_cages()) ? kEnded : kCannotWrite;
+  if (arguments.name.empty()) return fail(kBadUsage, "cage needs a NAME, or --list");
+  const auto cage = generate_cage(arguments.name, arguments.options);
+  if (!cage) return fail(kBadUsage, cage.error().message);
+  const auto known = std::find_if(cage_names().begin(), cage_names().end(),
+                                  [&](const CageName& candidate) { return candidate.name == arguments.name; });
+  if (const auto problem = misplaced_option(command, *known)) return fail(kBadUsage, *problem);
+  if (const auto error = write_file(arguments.output, write_obj(*cage))) return fail(kCannotWrite, error->message);
+  return kEnded;
+}
+
+}  // namespace
+
+void add_cage_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("cage", "Write a generated cage as OBJ: cube, torus, frames");
+  const auto arguments = std::make_shared<Arguments>();
+  CageOptions& options = arguments->options;
+  command->add_option("NAME", arguments->name, "Which cage; see --list")->type_name("");
+  command->add_flag("--list", arguments->list, "Print the names of all cages, with their genus");
+  command
+      ->add_option_function<std::string>(
+          "--family", [&options](const std::string& name) { options.family = family_called(name).value(); },
+          "Frames: hub (junctions are prisms) or flag (quads only, extraordinary\nvertices on the axes only) [flag]")
+      ->type_name("hub|flag")
+      ->check(checked(family_called));
+  const auto add_real = [&](const char* name, double& value, const char* letter, const char* description) {
+    command
+        ->add_option_function<std::string>(
+            name, [&value](const std::string& text) { value = parse_real(text).value(); }, description)
+        ->type_name(letter)
+        ->check(checked(parse_real));
+  };
+  add_real("--thickness", options.thickness, "T",
+           "Frames, torus: width of the arms or the tube, relative to the default [1]");
+  add_real("--spread", options.spread, "S",
+           "Frames two-N: distance of the arms from the axis; the junctions are at 1 [1]");
+  add_real("--ratio", options.ratio, "R", "Torus: minor radius / major radius of the control net [0.5]");
+  command
+      ->add_option_function<std::string>(
+          "--segments",
+          [&options](const std::string& text) {
+            const Segments segments = parse_segments(text).value();
+            options.major_segments = segments.major;
+            options.minor_segments = segments.minor;
+          },
+          "Torus: quads around the axis x quads around the tube [6x8]")
+      ->type_name("MxN")
+      ->check(checked(parse_segments));
+  command->add_option("-o,--output", arguments->output, "Write to this file instead of standard output")
+      ->type_name("OUT.obj");
+  command->callback([arguments, command, &exit_code] { exit_code = run(*command, *arguments); });
+}
+
+}  // namespace umbilic

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// `umbilic evaluate`: the energies of a cage's surface as it is.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/json_report.h"
+#include "cli/tables.h"
+#include "driver/run.h"
+
+namespace umbilic {
+
+namespace {
+
+struct Arguments {
+  std::string cage;
+  CapKind cap = CapKind::kSmooth;
+  int levels = 0;
+  bool json = false;
+};
+
+std::string json(const CageFile& input, const Arguments& arguments, const EvaluationReport& evaluation) {
+  Json report = json_report(input);
+  add_cap(report, arguments.cap);
+  add_energies(report, evaluation.energies);
+  add_levels(report, evaluation);
+  return to_text(report);
+}
+
+int run(const Arguments& arguments) {
+  const auto input = load_cage(arguments.cage);
+  if (!input) return fail(kBadInput, input.error().message);
+  const auto evaluation = evaluate(input->cage, arguments.cap, arguments.levels);
+  if (!evaluation) return fail(kBadInput, fmt::format("{}: {}", input->name, evaluation.error().message));
+  const std::string text = arguments.json ? json(*input, arguments, *evaluation)
+                                          : input_line(*input) +
+                                                fmt::format("level {}, {} patches, cap {}\n", evaluation->level,
+                                                            evaluation->patches, name_of(arguments.cap)) +
+                                                energy_table(evaluation->energies, "bending");
+  return print(text) ? kEnded : kCannotWrite;
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("evaluate", "Print the energies of a cage's surface as it is");
+  const auto arguments = std::make_shared<Arguments>();
+  add_cage_argument(*command, arguments->cage);
+  add_cap_option(*command, arguments->cap);
+  const auto parse_level = [](const std::string& text) { return parse_count(text, 0, kMostLevels); };
+  command
+      ->add_option_function<std::string>(
+          "--levels",
+          [arguments, parse_level](const std::string& text) { arguments->levels = parse_level(text).value(); },
+          "Catmull-Clark steps before evaluating; raised when the cage needs more [0]")
+      ->type_name("N")
+      ->check(checked(parse_level));
+  add_json_flag(*command, arguments->json);
+  command->footer(functional_help());
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace umbilic

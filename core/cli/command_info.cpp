@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// `umbilic info`: what a cage is.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/cage_shape.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/json_report.h"
+#include "cli/tables.h"
+
+namespace umbilic {
+
+namespace {
+
+struct Arguments {
+  std::string cage;
+  bool json = false;
+};
+
+std::string histogram_line(std::string_view what, const std::map<int, int>& histogram) {
+  std::string text = fmt::format("  {:<12}", what);
+  for (const auto& [size, count] : histogram) text += fmt::format(" {} x {}", count, size).append(",");
+  text.back() = '\n';
+  return text;
+}
+
+std::string table(const CageFile& input) {
+  const CageShape shape = shape_of(input.cage);
+  std::string text = input_line(input);
+  if (input.report.components.size() > 1) {
+    for (std::size_t i = 0; i < input.report.components.size(); ++i) {
+      const CageComponent& c = input.report.components[i];
+      text += fmt::format("  component {}: {} vertices, {} edges, {} faces, genus {}\n", i + 1, c.vertices, c.edges,
+                          c.faces, c.genus);
+    }
+  }
+  text += histogram_line("valences", shape.valences);
+  text += histogram_line("face sizes", shape.face_sizes);
+  return text + (shape.first_level ? fmt::format("  first level that can be evaluated: {}\n", *shape.first_level)
+                                   : fmt::format("  its surface cannot be evaluated: {}\n", shape.obstacle));
+}
+
+int run(const Arguments& arguments) {
+  const auto input = load_cage(arguments.cage);
+  if (!input) return fail(kBadInput, input.error().message);
+  return print(arguments.json ? to_text(json_report(*input)) : table(*input)) ? kEnded : kCannotWrite;
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("info", "Check a cage and count its parts, components and genus");
+  const auto arguments = std::make_shared<Arguments>();
+  add_cage_argument(*command, arguments->cage);
+  add_json_flag(*command, arguments->json);
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace umbilic

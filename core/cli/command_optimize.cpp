@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// `umbilic optimize`: a run from a cage to files and tables.
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+
+#include "cage/text.h"
+#include "cage/write.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "cli/json_report.h"
+#include "cli/tables.h"
+#include "driver/run.h"
+
+namespace umbilic {
+
+namespace {
+
+struct Arguments {
+  std::string cage;
+  Objective objective;
+  RunOptions options;
+  std::string output;  ///< as all outputs: empty when not wanted
+  std::string limit_mesh;
+  int density = 4;
+  std::string report;
+  bool quiet = false;
+
+  /// The outputs that are wanted.
+  std::vector<std::string> outputs() const {
+    std::vector<std::string> wanted;
+    for (const std::string& path : {output, limit_mesh, report}) {
+      if (!path.empty()) wanted.push_back(path);
+    }
+    return wanted;
+  }
+};
+
+/// Two results at one place: the second would replace the first.
+std::optional<std::string> shared_output(const std::vector<std::string>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (same_output(outputs[i], outputs[j])) return outputs[i];
+    }
+  }
+  return std::nullopt;
+}
+
+void minimize(Run& run, bool quiet) {
+  const InterruptWatch watch;
+  ProgressLine line(quiet);
+  while (!run.step(1)) {
+    line.update(run);
+    if (watch.interrupted()) run.cancel();
+  }
+  line.update(run);
+}
+
+std::string json(const CageFile& input, const Arguments& arguments, const Run& run) {
+  Json report = json_report(input);
+  add_objective(report, arguments.objective);
+  add_cap(report, arguments.options.cap);
+  add_energies(report, run.energies());
+  add_levels(report, run.levels());
+  return to_text(report);
+}
+
+std::string table(const CageFile& input, const Arguments& arguments, const Run& run) {
+  return input_line(input) +
+         fmt::format("minimized {}, cap {}\n", arguments.objective.words(), name_of(arguments.options.cap)) +
+         level_table(run.levels()) + "energies of the last level\n" +
+         energy_table(run.energies(), arguments.objective.words());
+}
+
+/// Writes everything that can be written, whatever fails.
+int write_results(const CageFile& input, const Arguments& arguments, const Run& run) {
+  int exit_code = kEnded;
+  const auto write = [&](const std::string& path, const auto& text) {
+    if (path.empty()) return;
+    if (const auto error = write_file(path, text())) exit_code = fail(kCannotWrite, error->message);
+  };
+  write(arguments.output, [&] { return write_obj(run.control_mesh()); });
+  write(arguments.limit_mesh, [&] {
+    const LimitMesh mesh = run.limit_mesh(arguments.density);
+    return write_obj(mesh.positions, mesh.normals, mesh.quads);
+  });
+  write(arguments.report, [&] { return json(input, arguments, run); });
+  for (const std::string& path : arguments.outputs()) {
+    if (path == "-") return exit_code;  // the table would spoil what stands there
+  }
+  return print(table(input, arguments, run)) ? exit_code : kCannotWrite;
+}
+
+int run(const Arguments& arguments) {
+  const std::vector<std::string> outputs = arguments.outputs();
+  if (const auto path = shared_output(outputs))
+    return fail(kBadUsage, fmt::format("two results would go to {}", *path));
+  const auto input = load_cage(arguments.cage);
+  if (!input) return fail(kBadInput, input.error().message);
+  for (const std::string& path : outputs) {
+    if (const auto error = check_writable(path)) return fail(kCannotWrite, error->message);
+  }
+  auto run = Run::create(input->cage, arguments.options);
+  if (!run) return fail(kBadInput, fmt::format("{}: {}", input->name, run.error().message));
+  minimize(*run, arguments.quiet);
+  return write_results(*input, arguments, *run);
+}
+
+void add_level_options(CLI::App& command, RunOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--levels",
+          [&options](const std::string& text) {
+            const LevelRange range = parse_levels(text).value();
+            options.first_level = range.first;
+            options.last_level = range.last;
+          },
+          "Minimize, subdivide, minimize: from A to B Catmull-Clark steps of the cage;\n"
+          "A is raised when the cage needs more [0..2]")
+      ->type_name("A..B")
+      ->check(checked(parse_levels));
+  const auto parse_iterations = [](const std::string& text) {
+    return parse_count(text, 0, std::numeric_limits<int>::max());
+  };
+  command
+      .add_option_function<std::string>(
+          "--max-iterations",
+          [&options, parse_iterations](const std::string& text) {
+            options.max_iterations = parse_iterations(text).value();
+          },
+          "Most iterations per level [1000]")
+      ->type_name("N")
+      ->check(checked(parse_iterations));
+  command
+      .add_option_function<std::string>(
+          "--tolerance", [&options](const std::string& text) { options.tolerance = parse_real(text).value(); },
+          "A level ends when the decrease still predicted is below\nT * max(energy, 1e-6 * 8 pi) [1e-6]")
+      ->type_name("T")
+      ->check(checked([](const std::string& text) -> Result<double> {
+        const Result<double> number = parse_real(text);
+        if (number && *number < 0) return Error{fmt::format("{} is negative", in_quotes(text))};
+        return number;
+      }));
+}
+
+}  // namespace
+
+void add_optimize_command(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("optimize", "Minimize a functional, level by level, and print or write the result");
+  const auto arguments = std::make_shared<Arguments>();
+  add_cage_argument(*command, arguments->cage);
+  add_objective_options(*command, arguments->objective);
+  add_cap_option(*command, arguments->options.cap);
+  add_level_options(*command, arguments->options);
+  command->add_option("-o,--output", arguments->output, "Write the final control mesh")->type_name("OUT.obj");
+  command->add_option("--limit-mesh", arguments->limit_mesh, "Write the limit surface as quads with normals")
+      ->type_name("OUT.obj");
+  const auto parse_density = [](const std::string& text) { return parse_count(text, 1, 64); };
+  command
+      ->add_option_function<std::string>(
+          "--density",
+          [arguments, parse_density](const std::string& text) { arguments->density = parse_density(text).value(); },
+          "Quads of the limit mesh along each edge of a patch, 1 to 64 [4]")
+      ->type_name("N")
+      ->check(checked(parse_density));
+  command->add_option("--report", arguments->report, "Write energies, levels and stop reasons as JSON")
+      ->type_name("OUT.json");
+  command->add_flag("-q,--quiet", arguments->quiet, "No progress on standard error");
+  command->footer(
+      "Where a result goes to - (standard output), no table is printed. Ctrl-C ends the run and keeps the best\n"
+      "surface so far; a second Ctrl-C ends the program.\n\n" +
+      functional_help());
+  command->callback([arguments, &exit_code] {
+    require_objective(arguments->objective);
+    arguments->options.weights = arguments->objective.weights;
+    exit_code = run(*arguments);
+  });
+}
+
+}  // namespace umbilic

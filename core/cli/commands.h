@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The commands of the program, each in its own file.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace umbilic {
+
+/// Each adds its command to `app`; when the command line names it, parsing runs it and sets `exit_code`.
+void add_cage_command(CLI::App& app, int& exit_code);
+void add_info_command(CLI::App& app, int& exit_code);
+void add_evaluate_command(CLI::App& app, int& exit_code);
+void add_optimize_command(CLI::App& app, int& exit_code);
+void add_check_gradient_command(CLI::App& app, int& exit_code);
+
+}  // namespace umbilic

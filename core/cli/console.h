@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// What the program says: results, errors, and a progress line.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "driver/run.h"
+
+namespace umbilic {
+
+/// Prints "umbilic: message" to standard error and returns `exit_code`.
+int fail(int exit_code, std::string_view message);
+
+/// Prints a result to standard output; false, with a message, when that cannot be written.
+bool print(std::string_view text);
+
+/// Progress of a run on standard error: one line that updates where standard error is a terminal, else a line per
+/// level.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet);
+  /// Clears the line.
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Cheap enough to call after every unit of work.
+  void update(const Run& run);
+
+ private:
+  void clear();
+
+  bool quiet_;
+  bool terminal_;
+  bool shown_ = false;
+  std::size_t levels_told_ = 0;
+  std::chrono::steady_clock::time_point next_update_{};
+};
+
+}  // namespace umbilic

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Files of the command line: "-" is standard input or output, and a failed write never costs an existing file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cage/cage.h"
+
+namespace umbilic {
+
+/// A cage with the name that messages call it by.
+struct CageFile {
+  std::string name;
+  Cage cage;
+  CageReport report;
+};
+
+/// Reads and validates the cage at `path`; errors begin with its name.
+Result<CageFile> load_cage(const std::string& path);
+
+/// Why `path` cannot be written later, if that shows now; leaves nothing behind.
+std::optional<Error> check_writable(const std::string& path);
+
+/// Replaces the file at `path` as a whole: writes beside it, then renames. Devices and pipes are written directly.
+std::optional<Error> write_file(const std::string& path, std::string_view text);
+
+/// Whether both name the same file, or both are "-"; devices take any number of results.
+bool same_output(const std::string& a, const std::string& b);
+
+}  // namespace umbilic

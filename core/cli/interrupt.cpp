@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Signal handling.
+#include "cli/interrupt.h"
+
+#include <csignal>
+
+namespace umbilic {
+
+namespace {
+
+volatile std::sig_atomic_t g_interrupted = 0;
+
+}  // namespace
+
+extern "C" {
+static void umbilic_remember_interrupt(int) {
+  g_interrupted = 1;
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+}
+
+InterruptWatch::InterruptWatch() {
+  g_interrupted = 0;
+  std::signal(SIGINT, umbilic_remember_interrupt);
+  std::signal(SIGTERM, umbilic_remember_interrupt);
+}
+
+InterruptWatch::~InterruptWatch() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+bool InterruptWatch::interrupted() const { return g_interrupted != 0; }
+
+}  // namespace umbilic

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Reports as JSON: every command prints a part of one object. Numbers that are not finite become null.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/arguments.h"
+#include "cli/files.h"
+#include "driver/report.h"
+
+namespace umbilic {
+
+/// Keeps its keys in the order in which they were added.
+using Json = nlohmann::ordered_json;
+
+/// {"version", "input": {"vertices", "edges", "faces", "components", "genus", "valences", "face_sizes",
+/// "first_level"}}; first_level is null when the cage has no surface that can be evaluated.
+Json json_report(const CageFile& input);
+
+/// Adds "functional" or "weights".
+void add_objective(Json& report, const Objective& objective);
+void add_cap(Json& report, CapKind cap);
+/// Adds "energies" and "quadrature_error".
+void add_energies(Json& report, const EnergyReport& energies);
+/// Adds "levels".
+void add_levels(Json& report, const std::vector<LevelReport>& levels);
+void add_levels(Json& report, const EvaluationReport& evaluation);
+/// Adds "levels" and "gradient".
+void add_gradient(Json& report, const GradientReport& gradient);
+
+/// Indented text with all digits that numbers need.
+std::string to_text(const Json& report);
+
+}  // namespace umbilic

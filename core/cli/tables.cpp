@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Layout of the tables.
+#include "cli/tables.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace umbilic {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::string plural(int count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string energy_line(std::string_view name, double value, const std::string& note = "") {
+  const std::string number = std::isfinite(value) ? fmt::format("{:.10g}", value) : "diverges";
+  return fmt::format("  {:<22} {:>16}{}{}\n", name, number, note.empty() ? "" : "   = ", note);
+}
+
+std::string ratio(double value, double unit, std::string_view unit_name) {
+  return fmt::format("{:.6g} * {}", value / unit, unit_name);
+}
+
+}  // namespace
+
+std::string input_line(const CageFile& input) {
+  const CageReport& report = input.report;
+  std::string text = fmt::format("{}: {}, {}, {}", input.name, plural(report.vertices, "vertex", "vertices"),
+                                 plural(report.edges, "edge", "edges"), plural(report.faces, "face", "faces"));
+  if (report.components.size() > 1) text += fmt::format(", {} components", report.components.size());
+  return text + fmt::format(", genus {}\n", report.genus);
+}
+
+std::string energy_table(const EnergyReport& energies, const std::string& objective) {
+  std::string text;
+  for (std::size_t i = 0; i < energies.functionals.size(); ++i) {
+    const double value = energies.functionals[i];
+    std::string note;
+    if (i == kBending) note = ratio(value, 8 * kPi, "8 pi");
+    if (i == kWillmore) note = ratio(value, 4 * kPi, "4 pi");
+    text += energy_line(kFunctionalNames[i], value, note);
+  }
+  text += energy_line("area", energies.area);
+  text += energy_line("gaussian", energies.gaussian, ratio(energies.gaussian, 4 * kPi, "4 pi"));
+  if (std::isfinite(energies.quadrature_error)) {
+    text += fmt::format("  quadrature error of {}: {:.1e}\n", objective, energies.quadrature_error);
+  }
+  return text;
+}
+
+std::string level_table(const std::vector<LevelReport>& levels) {
+  std::string text = fmt::format("  {:>5} {:>8} {:>9} {:>16} {:>10} {:>11} {:>8}  {}\n", "level", "patches", "unknowns",
+                                 "energy", "iterations", "evaluations", "seconds", "stop");
+  for (const LevelReport& level : levels) {
+    text += fmt::format("  {:>5} {:>8} {:>9} {:>16.10g} {:>10} {:>11} {:>8.2f}  {}\n", level.level, level.patches,
+                        level.unknowns, level.energy_reported, level.iterations, level.evaluations, level.seconds,
+                        name_of(level.stop));
+  }
+  return text;
+}
+
+}  // namespace umbilic

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Reports as tables for eyes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/files.h"
+#include "driver/report.h"
+
+namespace umbilic {
+
+/// One line: counts and genus.
+std::string input_line(const CageFile& input);
+
+/// All energies, with the ratios that are a topological constant or a sphere's energy, and the quadrature error of
+/// `objective`.
+std::string energy_table(const EnergyReport& energies, const std::string& objective);
+
+std::string level_table(const std::vector<LevelReport>& levels);
+
+}  // namespace umbilic

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The version that the build was given.
+#include "cli/version.h"
+
+namespace umbilic {
+
+std::string_view version() { return UMBILIC_VERSION; }
+
+}  // namespace umbilic

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Cages from files, pipes and the generator, and cages that are none.
+ */
+import { afterAll, describe, expect, test } from '@jest/globals';
+import { jsonOf, openTetrahedron, outputOf, scratchFolder, shell, tetrahedron, umbilic } from './program.js';
+
+const scratch = scratchFolder();
+afterAll(scratch.dispose);
+
+const readers = [
+  ['info'],
+  ['evaluate'],
+  ['optimize', '--functional', 'bending'],
+  ['check-gradient', '--functional', 'bending'],
+];
+
+describe.each(readers)('%s', (...command) => {
+  test('names file, line and reason of a broken cage and ends with 3', () => {
+    const file = scratch.write('open.obj', openTetrahedron);
+    const reason =
+      'line 5: edge between vertices 2 and 3 has a face on one side only: the surface is open (open edges: 3)';
+    expect(umbilic([...command, file])).toEqual({ code: 3, out: '', err: `umbilic: ${file}: ${reason}\n` });
+    expect(umbilic([...command, '-'], { input: openTetrahedron })).toEqual({
+      code: 3,
+      out: '',
+      err: `umbilic: standard input: ${reason}\n`,
+    });
+  });
+
+  test('ends with 3 where there is no file', () => {
+    const { code, err } = umbilic([...command, scratch.path('missing.obj')]);
+    expect({ code, err }).toEqual({
+      code: 3,
+      err: `umbilic: cannot read ${scratch.path('missing.obj')}: No such file or directory\n`,
+    });
+    expect(umbilic([...command, scratch.folder])).toMatchObject({ code: 3, out: '' });
+  });
+
+  test('ends with 3 on empty and binary input', () => {
+    expect(umbilic([...command, '-'])).toMatchObject({ code: 3, err: 'umbilic: standard input: the file is empty\n' });
+    expect(umbilic([...command, '-'], { input: 'PK\x03\x04\0\0\0' })).toMatchObject({
+      code: 3,
+      err: 'umbilic: standard input: line 1: not a text file: it holds a zero byte\n',
+    });
+  });
+});
+
+describe('a cage whose surface cannot be evaluated', () => {
+  // Two triangles back to back: closed, and every vertex has valence 2.
+  const pillow = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n';
+
+  test('is described by info and refused by the rest', () => {
+    expect(outputOf(['info', '-'], { input: pillow })).toContain('its surface cannot be evaluated: ');
+    expect(jsonOf(['info', '-', '--json'], { input: pillow }).input.first_level).toBeNull();
+    const { code, err } = umbilic(['evaluate', '-'], { input: pillow });
+    expect(code).toBe(3);
+    expect(err).toMatch(/^umbilic: standard input: .*vertex 1\b.*valence 2/);
+  });
+
+  test('is refused where a third-order functional would diverge', () => {
+    const { code, err } = umbilic(['optimize', '-', '--functional', 'mvs', '--cap', 'none'], { input: tetrahedron });
+    expect(code).toBe(3);
+    expect(err).toMatch(/^umbilic: standard input: /);
+  });
+});
+
+describe('a generated cage', () => {
+  test('goes through a pipe', () => {
+    const { code, out } = shell('"$UMBILIC" cage cube | "$UMBILIC" info -', scratch.folder);
+    expect(code).toBe(0);
+    expect(out).toBe(
+      'standard input: 8 vertices, 12 edges, 6 faces, genus 0\n' +
+        '  valences     8 x 3\n  face sizes   6 x 4\n  first level that can be evaluated: 1\n',
+    );
+  });
+
+  const names = outputOf(['cage', '--list'])
+    .trim()
+    .split('\n')
+    .map((line) => /** @type {[string, number]} */ ([line.split(' ')[0], Number(/genus (\d+)/.exec(line)?.[1])]));
+
+  test('is one of 18', () => expect(names).toHaveLength(18));
+
+  test.each(names)('%s has the genus that it is listed with, in both families', (name, genus) => {
+    const families =
+      name === 'cube' || name === 'torus'
+        ? [[]]
+        : [
+            ['--family', 'hub'],
+            ['--family', 'flag'],
+          ];
+    for (const family of families) {
+      const { input } = jsonOf(['info', '-', '--json'], { input: outputOf(['cage', name, ...family]) });
+      expect(input.genus).toBe(genus);
+    }
+  });
+
+  test('is written to a file', () => {
+    expect(outputOf(['cage', 'torus', '--segments', '5x4', '--ratio', '0.3', '-o', 'torus.obj'], scratch)).toBe('');
+    expect(jsonOf(['info', 'torus.obj', '--json'], scratch).input).toMatchObject({ vertices: 20, faces: 20, genus: 1 });
+  });
+
+  test('is thicker with --thickness, and hub is another family than flag', () => {
+    const thin = outputOf(['cage', 'two-3', '--thickness', '0.5']);
+    expect(thin).toMatch(/^v 0 0 1\.166/);
+    expect(outputOf(['cage', 'two-3'])).toMatch(/^v 0 0 1\.333/);
+    expect(jsonOf(['info', '-', '--json'], { input: thin }).input.valences).toEqual({ 4: 18, 6: 4 });
+    const hub = outputOf(['cage', 'two-3', '--family', 'hub']);
+    expect(jsonOf(['info', '-', '--json'], { input: hub }).input.valences).toEqual({ 4: 12, 5: 12 });
+  });
+});

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the commands report, as JSON and as tables.
+ */
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { jsonOf, outputOf, scratchFolder, umbilic } from './program.js';
+
+const scratch = scratchFolder();
+afterAll(scratch.dispose);
+
+const functionals = ['bending', 'willmore', 'mvs', 'mvs_cross', 'mehlum_tarrou', 'second_form_variation'];
+const energyNames = [...functionals, 'area', 'gaussian'];
+
+beforeAll(() => {
+  for (const [name, file] of [
+    ['cube', 'cube.obj'],
+    ['two-3', 'frame.obj'],
+    ['torus', 'torus.obj'],
+  ]) {
+    outputOf(['cage', name, '-o', file], scratch);
+  }
+});
+
+describe('info', () => {
+  test('reports counts, components, valences and the first level', () => {
+    expect(jsonOf(['info', 'frame.obj', '--json'], scratch)).toEqual({
+      version: expect.stringMatching(/^\d+\.\d+\.\d+$/),
+      input: {
+        vertices: 22,
+        edges: 48,
+        faces: 24,
+        components: [{ genus: 2, vertices: 22, edges: 48, faces: 24 }],
+        genus: 2,
+        valences: { 4: 18, 6: 4 },
+        face_sizes: { 4: 24 },
+        first_level: 0,
+      },
+    });
+  });
+
+  test('adds the genus of components up', () => {
+    const torus = outputOf(['cage', 'torus']);
+    const far = torus.replace(/^v (\S+)/gm, (_, x) => `v ${Number(x) + 10}`);
+    const input =
+      torus +
+      far.replace(
+        /^f (.*)$/gm,
+        (_, corners) => `f ${corners.replace(/\d+/g, (/** @type {string} */ v) => Number(v) + 48)}`,
+      );
+    const report = jsonOf(['info', '-', '--json'], { input }).input;
+    expect(report.components.map((/** @type {{ genus: number }} */ c) => c.genus)).toEqual([1, 1]);
+    expect(report.genus).toBe(2);
+    expect(outputOf(['info', '-'], { input })).toContain('component 2: 48 vertices, 96 edges, 48 faces, genus 1');
+  });
+});
+
+describe('evaluate', () => {
+  test('reports every energy, the cap, the level and the quadrature error', () => {
+    const report = jsonOf(['evaluate', 'frame.obj', '--json', '--levels', '1', '--cap', 'flat'], scratch);
+    expect(Object.keys(report)).toEqual(['version', 'input', 'cap', 'energies', 'quadrature_error', 'levels']);
+    expect(Object.keys(report.energies)).toEqual(energyNames);
+    expect(report.cap).toBe('flat');
+    expect(report.levels).toEqual([{ level: 1, patches: 96 }]);
+    expect(report.energies.gaussian).toBeCloseTo(-4 * Math.PI, 1);
+    expect(report.quadrature_error).toBeGreaterThanOrEqual(0);
+  });
+
+  test('satisfies bending = 4 willmore - 2 gaussian', () => {
+    for (const file of ['cube.obj', 'frame.obj', 'torus.obj']) {
+      const { energies } = jsonOf(['evaluate', file, '--json', '--levels', '2'], scratch);
+      const { bending, willmore, gaussian } = energies;
+      expect(Math.abs(bending - (4 * willmore - 2 * gaussian)) / bending).toBeLessThan(1e-12);
+    }
+  });
+
+  test('raises the level to what the cage needs', () => {
+    expect(jsonOf(['evaluate', 'cube.obj', '--json'], scratch).levels).toEqual([{ level: 1, patches: 24 }]);
+    expect(outputOf(['evaluate', 'cube.obj'], scratch)).toContain('level 1, 24 patches, cap smooth');
+  });
+
+  test('says that third-order energies diverge without a cap, and only where there is an extraordinary vertex', () => {
+    const { energies } = jsonOf(['evaluate', 'cube.obj', '--cap', 'none', '--json'], scratch);
+    expect(functionals.filter((name) => energies[name] === null)).toEqual(functionals.slice(2));
+    expect(outputOf(['evaluate', 'cube.obj', '--cap', 'none'], scratch).match(/diverges/g)).toHaveLength(4);
+    const torus = jsonOf(['evaluate', 'torus.obj', '--cap', 'none', '--json'], scratch).energies;
+    expect(functionals.filter((name) => torus[name] === null)).toEqual([]);
+  });
+
+  test('shows the numbers of the JSON in its table, with the ratios that explain them', () => {
+    const { energies } = jsonOf(['evaluate', 'frame.obj', '--json', '--levels', '2'], scratch);
+    const table = outputOf(['evaluate', 'frame.obj', '--levels', '2'], scratch);
+    for (const name of energyNames) {
+      const shown = Number(new RegExp(`^  ${name} +(\\S+)`, 'm').exec(table)?.[1]);
+      expect(Math.abs(shown / energies[name] - 1)).toBeLessThan(1e-9);
+    }
+    const ratio = (/** @type {string} */ name) =>
+      Number(new RegExp(`^  ${name} .* = (\\S+) \\* `, 'm').exec(table)?.[1]);
+    expect(ratio('bending')).toBeCloseTo(energies.bending / (8 * Math.PI), 4);
+    expect(ratio('willmore')).toBeCloseTo(energies.willmore / (4 * Math.PI), 4);
+    expect(ratio('gaussian')).toBeCloseTo(-1, 2);
+    expect(table).toMatch(/quadrature error of bending: \d\.\de-\d\d/);
+  });
+});
+
+describe('check-gradient', () => {
+  test('agrees for every functional and cap, and says how well', () => {
+    for (const functional of functionals) {
+      const caps =
+        functional === 'bending' || functional === 'willmore' ? ['none', 'flat', 'smooth'] : ['flat', 'smooth'];
+      for (const cap of caps) {
+        const report = jsonOf(
+          ['check-gradient', 'frame.obj', '--functional', functional, '--cap', cap, '--json'],
+          scratch,
+        );
+        expect(Object.keys(report)).toEqual(['version', 'input', 'functional', 'cap', 'levels', 'gradient']);
+        expect(report).toMatchObject({ functional, cap, levels: [{ level: 0, unknowns: 66 }], gradient: { ok: true } });
+        expect(report.gradient.relative_mismatch).toBeLessThanOrEqual(report.gradient.tolerance);
+        expect(Math.abs(report.gradient.analytic)).toBeGreaterThan(0);
+      }
+    }
+  });
+
+  test('takes weights and prints a table', () => {
+    const table = outputOf(['check-gradient', 'frame.obj', '--weights', 'bending=0.95,mvs_cross=0.05'], scratch);
+    expect(table).toContain('gradient of 0.95 bending + 0.05 mvs_cross at level 0, cap smooth: 66 unknowns');
+    expect(table).toMatch(/relative mismatch .* ok\n$/);
+  });
+});
+
+describe('numbers', () => {
+  test('do not depend on the locale of the environment', () => {
+    const environment = { LC_ALL: 'de_DE.UTF-8', LANG: 'de_DE.UTF-8' };
+    const here = umbilic(['evaluate', 'frame.obj', '--json'], { folder: scratch.folder });
+    expect(umbilic(['evaluate', 'frame.obj', '--json'], { folder: scratch.folder, environment })).toEqual(here);
+  });
+});

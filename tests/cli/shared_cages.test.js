@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Meshes that nobody on this project made, where a folder with them stands beside the repository: minimized for some
+ * steps, or refused with the reason.
+ */
+import { describe, expect, test } from '@jest/globals';
+import { existsSync } from 'node:fs';
+import path from 'node:path';
+import { jsonOf, root, umbilic } from './program.js';
+
+const folder = path.join(root, '../shared/cages');
+const there = existsSync(folder);
+if (!there) console.log(`Skipped: there is no folder ${folder}`);
+
+(there ? describe : describe.skip)('a mesh of the shared folder', () => {
+  test.each(['spot_control_mesh.obj', 'chamfer-cube.off', 'fandisk_quads.off', 'dodecahedron_poly.obj'])(
+    '%s is minimized for some steps',
+    (name) => {
+      for (const functional of ['bending', 'mvs_cross']) {
+        const optimize = (/** @type {number} */ iterations) =>
+          jsonOf(
+            ['optimize', path.join(folder, name), '--functional', functional, '--levels', '0', '--report', '-'].concat(
+              '--max-iterations',
+              `${iterations}`,
+            ),
+          );
+        const before = optimize(0);
+        const after = optimize(5);
+        expect(after.input.genus).toBe(0);
+        expect(after.levels[0].iterations).toBe(5);
+        expect(after.energies[functional]).toBeLessThan(before.energies[functional]);
+      }
+    },
+    300_000,
+  );
+
+  test.each([
+    ['moebius.obj', /line \d+: edge between vertices \d+ and \d+ has a face on one side only: the surface is open/],
+    ['hemisphere_open.off', /line \d+: edge between vertices \d+ and \d+ .* the surface is open \(open edges: 120\)/],
+  ])('%s is refused', (name, reason) => {
+    const { code, err } = umbilic(['optimize', path.join(folder, name), '--functional', 'bending']);
+    expect(code).toBe(3);
+    expect(err).toMatch(reason);
+  });
+});
