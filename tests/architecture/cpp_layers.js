@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The layers of the C++ core: who may include what, what only the command line may use, and CMake's link graph. Every check returns
+ * the problems that it finds, one line each.
+ */
+import { matching } from './tree.js';
+
+/** @typedef {import('./tree.js').Files} Files */
+
+/** From the top; each layer may include itself and the layers before it. */
+export const layers = ['base', 'cage', 'mesh', 'surface', 'energy', 'optimize', 'driver', 'cli'];
+
+/**
+ * @param {string} text C++
+ * @returns {{ name: string, quoted: boolean }[]} what it includes
+ */
+function includes(text) {
+  return [...text.matchAll(/^[ \t]*#[ \t]*include[ \t]*(<|")([^>"\n]+)[>"]/gm)].map(([, mark, name]) => ({
+    name,
+    quoted: mark === '"',
+  }));
+}
+
+/** @param {string} text C++ @returns {string} without comments, strings and characters */
+function codeOf(text) {
+  return text.replace(/"(?:\\.|[^"\\\n])*"|'(?:\\[^'\n]+|[^'\\\n])'|\/\/.*|\/\*[\s\S]*?\*\//g, '""');
+}
+
+/**
+ * A layer's files, and its tests, include from the core only their own layer and those above it, by the path from core/.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function upwardIncludes(files) {
+  const problems = [];
+  for (const [file, text] of matching(files, /^(tests\/)?core\/.*\.(h|cpp)$/)) {
+    const isTest = file.startsWith('tests/');
+    const [layer, rest] = file.replace(/^(tests\/)?core\//, '').split('/');
+    if (rest === undefined) {
+      if (!isTest) problems.push(`${file} is in no layer`);
+      continue;
+    }
+    const own = layers.indexOf(layer);
+    if (own < 0) {
+      if (!isTest) problems.push(`${file}: ${layer} is not a layer`);
+      continue;
+    }
+    for (const { name, quoted } of includes(text)) {
+      const index = layers.indexOf(name.split('/')[0]);
+      if (index > own) problems.push(`${file} includes ${name} from a layer below it`);
+      else if (!quoted && index >= 0) problems.push(`${file} includes ${name} with angle brackets`);
+      else if (quoted && !isTest && index < 0) problems.push(`${file} includes "${name}", which is no path from core/`);
+    }
+  }
+  return problems;
+}
+
+/**
+ * The C API includes the driver and the layers above it, not the command line.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function apiIncludes(files) {
+  const allowed = [...layers.slice(0, layers.indexOf('driver') + 1), 'wasm'];
+  return matching(files, /^wasm\/.*\.(h|cpp)$/).flatMap(([file, text]) =>
+    includes(text)
+      .filter(({ name, quoted }) =>
+        quoted && name.includes('/') ? !allowed.includes(name.split('/')[0]) : name === 'cli',
+      )
+      .map(({ name }) => `${file} includes ${name}`),
+  );
+}
+
+/**
+ * Streams, files and JSON are for the command line; the C API and the rest of the core know none of them.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function hostLibraries(files) {
+  const forbidden =
+    /^((io|i|o|f|s)stream|iomanip|filesystem|locale|clocale|fmt\/(ostream|std)\.h|(nlohmann|CLI|emscripten)\/.*)$/;
+  return matching(files, /^(core\/(?!cli\/)|wasm\/).*\.(h|cpp)$/).flatMap(([file, text]) =>
+    includes(text)
+      .filter(({ name }) => forbidden.test(name))
+      .map(({ name }) => `${file} includes ${name}`),
+  );
+}
+
+/**
+ * Numbers are parsed and printed independently of the locale.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function localeDependence(files) {
+  const forbidden = /\b(strto(?:d|f|ld)|sto(?:d|f|ld)|atof|[sf]?scanf|v?s?n?printf|setlocale)\s*\(/;
+  return matching(files, /^(core|wasm)\/.*\.(h|cpp)$/).flatMap(([file, text]) => {
+    const found = forbidden.exec(codeOf(text));
+    return found ? [`${file} calls ${found[1]}, which depends on the locale`] : [];
+  });
+}
+
+/** @param {string} layer @returns {string} CMake's name for it; the command line is the program itself */
+export function target(layer) {
+  return layer === 'cli' ? 'umbilic' : `umbilic_${layer}`;
+}
+
+/**
+ * CMake links each layer's target to the one before it and nothing else of the project; the C API hangs on the driver.
+ * @param {string} graph what `cmake --graphviz` writes
+ * @returns {string[]}
+ */
+export function linkOrder(graph) {
+  const links = [...graph.matchAll(/\/\/ (umbilic\w*) -> (umbilic\w*)$/gm)].map(([, from, to]) => ({ from, to }));
+  /** @type {Record<string, string>} */
+  const expected = { umbilic_base: 'umbilic_settings', umbilic_api: 'umbilic_driver' };
+  layers.slice(1).forEach((layer, index) => (expected[target(layer)] = target(layers[index])));
+  return Object.entries(expected).flatMap(([name, above]) => {
+    const found = links.filter(({ from }) => from === name).map(({ to }) => to);
+    return found.length === 1 && found[0] === above
+      ? []
+      : [`${name} links ${found.join(', ') || 'nothing'}, not ${above}`];
+  });
+}

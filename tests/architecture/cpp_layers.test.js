@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The C++ layers hold, and each of their checks fails on a small tree that breaks it.
+ */
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import { describe, expect, test } from '@jest/globals';
+import {
+  apiIncludes,
+  hostLibraries,
+  layers,
+  linkOrder,
+  localeDependence,
+  target,
+  upwardIncludes,
+} from './cpp_layers.js';
+import { readTree, root } from './tree.js';
+
+const tree = readTree();
+
+describe('the project', () => {
+  test('has C++ files in every layer', () => {
+    for (const layer of layers) {
+      expect(
+        [...tree.keys()].filter((file) => file.startsWith(`core/${layer}/`) && /\.(h|cpp)$/.test(file)),
+      ).not.toEqual([]);
+    }
+  });
+
+  test('includes no layer below', () => expect(upwardIncludes(tree)).toEqual([]));
+  test('has a C API on top of the driver', () => expect(apiIncludes(tree)).toEqual([]));
+  test('keeps streams, files and JSON in the command line', () => expect(hostLibraries(tree)).toEqual([]));
+  test('does not depend on the locale', () => expect(localeDependence(tree)).toEqual([]));
+
+  test('links each layer to the one above it', () => {
+    const graph = 'build/architecture/graph.dot';
+    const args = ['-S', '.', '-B', 'build/architecture', '-G', 'Ninja', `--graphviz=${graph}`];
+    expect(spawnSync('cmake', args, { cwd: root, encoding: 'utf8' })).toMatchObject({ status: 0 });
+    expect(linkOrder(readFileSync(path.join(root, graph), 'utf8'))).toEqual([]);
+  });
+});
+
+describe('the checks fail on', () => {
+  test.each([
+    ['core/mesh/a.h', '#include "driver/run.h"', 'core/mesh/a.h includes driver/run.h from a layer below it'],
+    ['core/mesh/a.cpp', '  #  include <energy/x.h>', 'core/mesh/a.cpp includes energy/x.h from a layer below it'],
+    ['core/mesh/a.h', '#include <cage/cage.h>', 'core/mesh/a.h includes cage/cage.h with angle brackets'],
+    ['core/mesh/a.h', '#include "b.h"', 'core/mesh/a.h includes "b.h", which is no path from core/'],
+    [
+      'core/mesh/a.h',
+      '#include "../energy/b.h"',
+      'core/mesh/a.h includes "../energy/b.h", which is no path from core/',
+    ],
+    ['core/a.h', '', 'core/a.h is in no layer'],
+    ['core/tools/a.h', '', 'core/tools/a.h: tools is not a layer'],
+    [
+      'tests/core/cage/a_test.cpp',
+      '#include "cli/a.h"',
+      'tests/core/cage/a_test.cpp includes cli/a.h from a layer below it',
+    ],
+  ])('%s with %s', (file, text, problem) => {
+    expect(upwardIncludes(new Map([[file, text]]))).toEqual([problem]);
+  });
+
+  test('a C API that knows the command line', () => {
+    expect(apiIncludes(new Map([['wasm/api.cpp', '#include "cli/main.h"']]))).toEqual([
+      'wasm/api.cpp includes cli/main.h',
+    ]);
+  });
+
+  test.each(['iostream', 'fstream', 'sstream', 'filesystem', 'nlohmann/json.hpp', 'CLI/CLI.hpp'])(
+    '%s in the core',
+    (name) => {
+      const text = `#include <${name}>`;
+      expect(hostLibraries(new Map([['core/cage/a.h', text]]))).toEqual([`core/cage/a.h includes ${name}`]);
+      expect(hostLibraries(new Map([['core/cli/a.h', text]]))).toEqual([]);
+    },
+  );
+
+  test('a number parsed by the locale, not one in a comment', () => {
+    expect(localeDependence(new Map([['core/cage/a.cpp', 'double x = std::stod(s);']]))).toHaveLength(1);
+    expect(localeDependence(new Map([['core/cage/a.cpp', '/* not std::stod(s) */ // strtod(s)\n"atof(";']]))).toEqual(
+      [],
+    );
+  });
+
+  test('a layer that links another than the one above it', () => {
+    const names = layers.map(target);
+    const chain = names.slice(1).map((name, index) => `"a" -> "b"  // ${name} -> ${names[index]}`);
+    chain.push('// umbilic_api -> umbilic_driver', '// umbilic_base -> umbilic_settings');
+    expect(linkOrder(chain.join('\n'))).toEqual([]);
+    expect(linkOrder([...chain, '// umbilic_mesh -> umbilic_driver'].join('\n'))).toEqual([
+      'umbilic_mesh links umbilic_cage, umbilic_driver, not umbilic_cage',
+    ]);
+    expect(linkOrder(chain.slice(1).join('\n'))).toEqual(['umbilic_cage links nothing, not umbilic_base']);
+  });
+});

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The layers of the JavaScript: one file touches WebAssembly memory, the worker alone imports it, and views know neither. Every check
+ * returns the problems that it finds, one line each.
+ */
+import path from 'node:path';
+import { parseAst } from 'vite';
+import { matching } from './tree.js';
+
+/** @typedef {import('./tree.js').Files} Files */
+
+const gateway = 'wasm/umbilic.js';
+
+/**
+ * Calls `visit` for every node of a syntax tree.
+ * @param {any} node
+ * @param {(node: any) => void} visit
+ */
+function walk(node, visit) {
+  if (Array.isArray(node)) {
+    for (const child of node) walk(child, visit);
+  } else if (node && typeof node === 'object') {
+    if (typeof node.type === 'string') visit(node);
+    for (const child of Object.values(node)) walk(child, visit);
+  }
+}
+
+/**
+ * What a file imports or names by `new URL(…, import.meta.url)`: relative paths resolved from the root, packages as they are.
+ * @param {string} file
+ * @param {string} text
+ * @returns {string[]}
+ */
+function imports(file, text) {
+  /** @type {string[]} */
+  const found = [];
+  walk(parseAst(text), (node) => {
+    if (/^(Import|Export(Named|All))Declaration$|^ImportExpression$/.test(node.type)) found.push(node.source?.value);
+    if (node.type === 'NewExpression' && node.callee.name === 'URL' && node.arguments.length === 2) {
+      found.push(node.arguments[0].value);
+    }
+  });
+  return found
+    .filter((name) => typeof name === 'string')
+    .map((name) => (name.startsWith('.') ? path.posix.join(path.posix.dirname(file), name) : name));
+}
+
+/**
+ * Only the gateway knows the module's memory.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function memoryAccess(files) {
+  return matching(files, /^(web|wasm|tests\/(core|wasm|web|browser|bench))\/.*\.m?js$/).flatMap(([file, text]) => {
+    /** @type {string[]} */
+    const problems = [];
+    if (file === gateway) return problems;
+    walk(parseAst(text), (node) => {
+      if (node.type === 'Identifier' && /^(HEAPU?(8|16|32|64)|HEAPF(32|64)|WebAssembly)$/.test(node.name)) {
+        problems.push(`${file} uses ${node.name}`);
+      }
+      if (node.type === 'Literal' && /umbilic-core\.mjs$/.test(String(node.value)))
+        problems.push(`${file} names ${node.value}`);
+    });
+    return problems;
+  });
+}
+
+/**
+ * On the page, only the worker imports from wasm/, and it does.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function wasmImports(files) {
+  const users = matching(files, /^web\/.*\.m?js$/).filter(([file, text]) =>
+    imports(file, text).some((name) => /^(wasm|build)\//.test(name)),
+  );
+  const problems = users
+    .filter(([file]) => !file.startsWith('web/worker/'))
+    .map(([file]) => `${file} imports from wasm/`);
+  const some = users.some(([file, text]) => file.startsWith('web/worker/') && imports(file, text).includes(gateway));
+  return some ? problems : [...problems, `no file of web/worker/ imports ${gateway}`];
+}
+
+/**
+ * Views show the state and dispatch; they import neither the worker nor the module.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function viewImports(files) {
+  return matching(files, /^web\/views\/.*\.m?js$/).flatMap(([file, text]) =>
+    imports(file, text)
+      .filter((name) => /^(web\/worker|wasm|build)\//.test(name))
+      .map((name) => `${file} imports ${name}`),
+  );
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Builds the parts of the project into build/, a folder each: `node tests/run/build.js native sanitize wasm web`.
+ */
+import { existsSync, readdirSync, statSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { installPackages, installTools } from './install.js';
+import { output, root, run } from './process.js';
+
+/** @typedef {'native' | 'sanitize' | 'wasm' | 'web'} Part */
+
+/** What must be installed for each part, in the order in which they are built. @type {Record<Part, import('./install.js').Need[]>} */
+export const parts = { native: ['native'], wasm: ['wasm'], web: [], sanitize: ['native'] };
+
+/**
+ * Builds one part, past a target that fails. The page needs the WebAssembly module.
+ * @param {Part} part
+ * @returns {Promise<boolean>} whether all of it was built
+ */
+export async function build(part) {
+  if (part === 'web') return buildPage();
+  if (!existsSync(path.join(root, 'build', part, 'build.ninja')) && !(await configure(part))) return false;
+  const jobs = String(availableParallelism());
+  const quiet = process.stdout.isTTY ? [] : ['--quiet'];
+  return (await run('ninja', ['-C', `build/${part}`, '-k', '0', '-j', jobs, ...quiet])) === 0;
+}
+
+/**
+ * Lets CMake write a part's build files. Later changes of CMake's files are noticed by the build itself.
+ * @param {Exclude<Part, 'web'>} part
+ * @returns {Promise<boolean>}
+ */
+export async function configure(part) {
+  const settings = {
+    native: [],
+    sanitize: ['-DUMBILIC_SANITIZE=ON'],
+    wasm: [`-DCMAKE_TOOLCHAIN_FILE=${emscriptenToolchain()}`],
+  };
+  const args = ['-S', '.', '-B', `build/${part}`, '-G', 'Ninja', '--log-level=WARNING', ...settings[part]];
+  return (await run('cmake', args)) === 0;
+}
+
+/** CMake's file for em++, used without `emcmake`, which gives Node flags that it does not know any more. */
+function emscriptenToolchain() {
+  const folder = output('em-config', ['EMSCRIPTEN_ROOT'])?.trim() ?? '/usr/share/emscripten';
+  return path.join(folder, 'cmake/Modules/Platform/Emscripten.cmake');
+}
+
+/** Builds the page unless it is newer than everything that it is made of. */
+async function buildPage() {
+  const page = path.join(root, 'build/web/index.html');
+  const inputs = [
+    'web',
+    'wasm/umbilic.js',
+    'build/wasm/umbilic-core.mjs',
+    'build/wasm/umbilic-core.wasm',
+    'package-lock.json',
+  ];
+  if (existsSync(page) && newest(inputs) < statSync(page).mtimeMs) return true;
+  const vite = ['node_modules/vite/bin/vite.js', 'build', '--config', 'web/vite.config.js', '--logLevel', 'warn'];
+  return (await run(process.execPath, vite)) === 0;
+}
+
+/** @param {string[]} names files and folders @returns {number} when the newest of them, or of what they hold, was changed */
+function newest(names) {
+  const paths = names.flatMap((name) => {
+    const file = path.join(root, name);
+    if (!existsSync(file)) return [];
+    if (!statSync(file).isDirectory()) return [file];
+    return [file, ...readdirSync(file, { recursive: true, encoding: 'utf8' }).map((inner) => path.join(file, inner))];
+  });
+  return Math.max(0, ...paths.map((file) => statSync(file).mtimeMs));
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  const wanted = process.argv.slice(2).filter(/** @returns {part is Part} */ (part) => part in parts);
+  if (!wanted.length || wanted.length < process.argv.length - 2) {
+    console.error(`Usage: node tests/run/build.js ${Object.keys(parts).join(' | ')} …`);
+    process.exit(2);
+  }
+  if (!(await installTools(...wanted.flatMap((part) => parts[part]))) || !(await installPackages())) process.exit(1);
+  for (const part of wanted) if (!(await build(part))) process.exitCode = 1;
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Installs what a command needs and the machine lacks: Debian's packages and the node packages of package-lock.json.
+ * Quick when nothing is missing. Uses Node's builtins only, because it runs before anything is installed.
+ */
+import { existsSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import { output, root, run } from './process.js';
+
+/** @typedef {'native' | 'wasm' | 'lint' | 'browser'} Need */
+
+/**
+ * Debian's packages, by what shows that they are there: a program on the PATH or a header under an include folder.
+ * @type {{ package: string, program?: string, header?: string, needs: Need[] }[]}
+ */
+const tools = [
+  { package: 'g++', program: 'g++', needs: ['native'] },
+  { package: 'emscripten', program: 'em++', needs: ['wasm'] },
+  { package: 'cmake', program: 'cmake', needs: ['native', 'wasm'] },
+  { package: 'ninja-build', program: 'ninja', needs: ['native', 'wasm'] },
+  { package: 'libeigen3-dev', header: 'eigen3/Eigen/Core', needs: ['native', 'wasm'] },
+  { package: 'libfmt-dev', header: 'fmt/format.h', needs: ['native', 'wasm'] },
+  { package: 'libfast-float-dev', header: 'fast_float/fast_float.h', needs: ['native', 'wasm'] },
+  { package: 'nlohmann-json3-dev', header: 'nlohmann/json.hpp', needs: ['native'] },
+  { package: 'libcli11-dev', header: 'CLI/CLI.hpp', needs: ['native'] },
+  { package: 'libgtest-dev', header: 'gtest/gtest.h', needs: ['native'] },
+  { package: 'clang-format', program: 'clang-format', needs: ['lint'] },
+  { package: 'chromium', program: 'chromium', needs: ['browser'] },
+];
+
+const includeFolders = ['/usr/include', '/usr/local/include'];
+
+/** @param {string} program @returns {boolean} */
+function onPath(program) {
+  return (process.env.PATH ?? '').split(path.delimiter).some((folder) => existsSync(path.join(folder, program)));
+}
+
+/** @param {Need[]} needs @returns {string[]} the packages that are missing */
+function missingTools(needs) {
+  return tools
+    .filter((tool) => tool.needs.some((need) => needs.includes(need)))
+    .filter(({ program, header }) => {
+      if (program) return !onPath(program);
+      return !includeFolders.some((folder) => existsSync(path.join(folder, header ?? '')));
+    })
+    .map((tool) => tool.package);
+}
+
+/**
+ * Installs missing compilers, libraries and the browser through apt-get; says what to do where it cannot.
+ * @param {...Need} needs
+ * @returns {Promise<boolean>} whether everything is there
+ */
+export async function installTools(...needs) {
+  const missing = missingTools(needs);
+  if (!missing.length) return true;
+  const list = missing.join(' ');
+  if (!onPath('apt-get')) {
+    console.error(
+      `Missing, by the names of Debian's packages: ${list}\nInstall them with this system's package manager.`,
+    );
+    return false;
+  }
+  const isRoot = process.getuid?.() === 0;
+  const maySudo = onPath('sudo') && (process.stdin.isTTY || output('sudo', ['-n', 'true']) !== undefined);
+  if (!isRoot && !maySudo) {
+    console.error(`Missing: ${list}\nAs root: apt-get update && apt-get install --no-install-recommends ${list}`);
+    return false;
+  }
+  console.log(`Installing ${list}`);
+  /** @param {...string} args */
+  const aptGet = (...args) => {
+    const command = ['env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get', '-qq', ...args];
+    return isRoot ? run(command[0], command.slice(1)) : run('sudo', command);
+  };
+  await aptGet('update'); // Whether it mattered that one of these failed, the next look tells.
+  await aptGet('install', '--yes', '--no-install-recommends', ...missing);
+  const absent = missingTools(needs);
+  if (absent.length) console.error(`Could not install ${absent.join(' ')}`);
+  return !absent.length;
+}
+
+/**
+ * Installs the node packages when node_modules is not what package-lock.json says.
+ * @returns {Promise<boolean>} whether they are there
+ */
+export async function installPackages() {
+  if (packagesAreInstalled()) return true;
+  return (await run('npm', ['ci'])) === 0;
+}
+
+/** Whether node_modules holds the packages of package-lock.json; optional ones, for other machines, may be absent. */
+function packagesAreInstalled() {
+  const installedFile = path.join(root, 'node_modules/.package-lock.json');
+  if (!existsSync(installedFile)) return false;
+  const installed = JSON.parse(readFileSync(installedFile, 'utf8')).packages;
+  const wanted = JSON.parse(readFileSync(path.join(root, 'package-lock.json'), 'utf8')).packages;
+  return Object.entries(wanted).every(([folder, { version, integrity, optional }]) => {
+    if (folder === '' || (optional && !installed[folder])) return true;
+    return installed[folder]?.version === version && installed[folder]?.integrity === integrity;
+  });
+}
