@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The page in the hands of a test: opened, watched for errors, and read as a user would read it.
+ */
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+/** @typedef {import('playwright-core').Browser} Browser */
+/** @typedef {import('playwright-core').Page} Page */
+
+const build = fileURLToPath(new URL('../../build/', import.meta.url));
+export const builtPage = path.join(build, 'web');
+export const screenshots = path.join(build, 'screenshots');
+
+/**
+ * Opens the page and waits until its first surface is measured.
+ * @param {Browser} browser
+ * @param {string} url
+ * @param {import('playwright-core').BrowserContextOptions} [options]
+ * @param {(page: Page) => Promise<void>} [prepare]
+ * @returns {Promise<{page: Page, errors: string[], requests: string[]}>} what went wrong so far, and what was asked
+ *   for
+ */
+export async function openPage(browser, url, options = {}, prepare = async () => {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  /** @type {string[]} */
+  const errors = [];
+  /** @type {string[]} */
+  const requests = [];
+  page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+  page.on('pageerror', (error) => errors.push(error.message));
+  page.on('request', (request) => requests.push(request.url()));
+  page.on('response', (response) => {
+    if (response.status() >= 400) errors.push(`${response.status()} ${response.url()}`);
+  });
+  await prepare(page);
+  await page.goto(url);
+  await measured(page);
+  return { page, errors, requests };
+}
+
+/** Waits until the table of energies is there. @param {Page} page */
+export async function measured(page) {
+  await page.locator('#energies tbody tr').first().waitFor();
+}
+
+/** Waits for a status that matches. @param {Page} page @param {RegExp} pattern @param {number} [timeout] */
+export async function status(page, pattern, timeout = 30_000) {
+  await page.locator('#status').filter({ hasText: pattern }).waitFor({ timeout });
+}
+
+/** @param {string} text of the line below the status */
+function parseProgress(text) {
+  const match = /energy ([\d.\u202f]+) · level (\d+) · ([\d\u202f]+) evaluation/.exec(text);
+  if (!match) throw new Error(`no progress in "${text}"`);
+  const [energy, level, evaluations] = match.slice(1).map((number) => Number(number.replaceAll('\u202f', '')));
+  return { energy, level, evaluations };
+}
+
+/** Energy, level and evaluations as the page tells them. @param {Page} page */
+export async function progress(page) {
+  return parseProgress((await page.locator('#progress').textContent()) ?? '');
+}
+
+/**
+ * Listens to the progress from now on; the returned function tells all of it.
+ * @param {Page} page
+ */
+export async function recordProgress(page) {
+  const texts = await page.evaluateHandle(() => {
+    const line = /** @type {Element} */ (document.querySelector('#progress'));
+    /** @type {string[]} */
+    const seen = [];
+    new MutationObserver(() => seen.push(line.textContent ?? '')).observe(line, { childList: true, subtree: true });
+    return seen;
+  });
+  return async () => (await texts.jsonValue()).filter((text) => text.startsWith('energy')).map(parseProgress);
+}
+
+/** Waits until so many evaluations have been done. @param {Page} page @param {number} count */
+export async function evaluated(page, count) {
+  await page.waitForFunction((least) => {
+    const match = /([\d\u202f]+) evaluation/.exec(document.querySelector('#progress')?.textContent ?? '');
+    return match !== null && Number(match[1].replaceAll('\u202f', '')) >= least;
+  }, count);
+}
+
+/** The energies of the table, by their names. @param {Page} page @returns {Promise<Record<string, string>>} */
+export function energies(page) {
+  return page.locator('#energies tbody tr').evaluateAll((rows) => {
+    const entries = rows.map((row) => [row.querySelector('th')?.textContent, row.lastElementChild?.textContent]);
+    return Object.fromEntries(entries);
+  });
+}
+
+/** Waits until the surface of now is drawn, finely. @param {Page} page */
+export async function drawn(page) {
+  await page.locator('canvas[data-picture=fine]').waitFor();
+}
+
+/** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
+export async function dropFile(page, name, text) {
+  const transfer = await page.evaluateHandle(
+    ([fileName, content]) => {
+      const created = new DataTransfer();
+      created.items.add(new File([content], fileName));
+      return created;
+    },
+    [name, text],
+  );
+  for (const type of ['dragenter', 'dragover', 'drop']) {
+    await page.dispatchEvent('body', type, { dataTransfer: transfer });
+  }
+}
+
+/**
+ * What a picture of the surface shows: how much of it is not background, how many colours that has, and how far they
+ * are from grey.
+ * @param {Page} page
+ * @param {boolean} [moving] whether a run goes on, so that the picture is never the last one
+ */
+export async function look(page, moving = false) {
+  if (!moving) await drawn(page);
+  const picture = await page.locator('#surface').screenshot();
+  return page.evaluate(async (encoded) => {
+    const response = await fetch(`data:image/png;base64,${encoded}`);
+    const bitmap = await createImageBitmap(await response.blob());
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    context.drawImage(bitmap, 0, 0);
+    // The middle, where nothing but the surface and the background is.
+    const [x, y, width, height] = [0.1, 0.15, 0.8, 0.6].map((part, i) =>
+      Math.round(part * (i % 2 ? bitmap.height : bitmap.width)),
+    );
+    const { data } = context.getImageData(x, y, width, height);
+    const colours = new Set();
+    let coloured = 0;
+    let largest = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const chroma = Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]);
+      largest = Math.max(largest, chroma);
+      if (chroma < 24) continue;
+      coloured++;
+      colours.add((data[i] >> 3) * 1024 + (data[i + 1] >> 3) * 32 + (data[i + 2] >> 3));
+    }
+    return { coloured: coloured / (width * height), colours: colours.size, chroma: largest };
+  }, picture.toString('base64'));
+}

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file A user's way through the page: a file, a functional, a run that is watched, stopped and saved; mistakes; a
+ * worker that hangs; the keyboard alone.
+ */
+import { readFileSync } from 'node:fs';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { Cage, Minimizer, load } from '../../wasm/umbilic.js';
+import { launchBrowser } from './browser.js';
+import {
+  builtPage,
+  dropFile,
+  energies,
+  evaluated,
+  look,
+  measured,
+  openPage,
+  progress,
+  recordProgress,
+  status,
+} from './page.js';
+import { serve } from './site.js';
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** @type {import('playwright-core').Browser} */
+let browser;
+/** @type {{url: string, close: () => Promise<void>}} */
+let site;
+/** A cage as a modelling program would write it: with texture coordinates, CRLF and a comment. */
+let tetrahedronFrame = '';
+
+beforeAll(async () => {
+  await load();
+  const cage = Cage.generate('tetrahedron-frame', { family: 'hub' });
+  const faces = cage.obj().replace(/^f .*$/gm, (face) => face.replace(/(\d+)/g, '$1/1'));
+  tetrahedronFrame = `# a frame\nvt 0 0\n${faces}`.replaceAll('\n', '\r\n');
+  cage.dispose();
+  [site, browser] = await Promise.all([serve(builtPage), launchBrowser()]);
+});
+
+afterAll(async () => {
+  await browser?.close();
+  await site?.close();
+});
+
+/** @param {Page} page @param {string} name */
+const button = (page, name) => page.getByRole('button', { name, exact: true });
+
+/** @param {Page} page @param {string} name */
+async function download(page, name) {
+  const [saved] = await Promise.all([page.waitForEvent('download'), button(page, name).click()]);
+  return { name: saved.suggestedFilename(), text: readFileSync(await saved.path(), 'utf8') };
+}
+
+describe('a user', () => {
+  test('drops a file, minimizes it, pauses, resumes, cancels, saves and resets', async () => {
+    const { page, errors } = await openPage(browser, site.url);
+
+    await dropFile(page, 'my frame.obj', tetrahedronFrame);
+    await status(page, /^Ready/);
+    await page.locator('.facts').filter({ hasText: 'my frame.obj' }).waitFor();
+    expect(await page.locator('.facts').innerText()).toMatch(/Genus\s*3/);
+    expect(await page.locator('#drop').isVisible()).toBe(false);
+    expect((await look(page)).coloured).toBeGreaterThan(0.1);
+
+    await page.locator('[name=functional]').selectOption('mvs_cross');
+    await page.locator('[name=first]').selectOption('1');
+    await measured(page);
+    const before = await energies(page);
+    const told = await recordProgress(page);
+    await button(page, 'Start').click();
+    await evaluated(page, 25);
+    const seen = await told();
+    expect(seen.length).toBeGreaterThan(3);
+    for (let i = 1; i < seen.length; i++) {
+      expect(seen[i].evaluations).toBeGreaterThan(seen[i - 1].evaluations);
+      if (seen[i].level === seen[i - 1].level) expect(seen[i].energy).toBeLessThanOrEqual(seen[i - 1].energy);
+    }
+    expect(seen.at(-1)?.energy).toBeLessThan(0.9 * seen[0].energy);
+    expect(await page.locator('#plot path').first().getAttribute('d')).toMatch(/^M[\d.]+ [\d.]+L/);
+    expect(await page.locator('[name=functional]').isDisabled()).toBe(true);
+
+    await button(page, 'Pause').click();
+    await status(page, /^Paused/);
+    const paused = await progress(page);
+    await page.waitForTimeout(600);
+    expect(await progress(page)).toEqual(paused);
+
+    await button(page, 'Step').click();
+    await status(page, new RegExp(`^Paused after ${paused.evaluations + 1} evaluations`));
+
+    await button(page, 'Resume').click();
+    await evaluated(page, paused.evaluations + 5);
+    await button(page, 'Cancel').click();
+    await status(page, /^Cancelled after/);
+    await page.locator('#levels tbody').filter({ hasText: 'cancelled' }).waitFor();
+    const after = await energies(page);
+    const number = (/** @type {string} */ text) => Number(text.split(' ±')[0].replaceAll('\u202f', ''));
+    expect(number(after['MVS with cross terms'])).toBeLessThan(number(before['MVS with cross terms']));
+
+    const control = await download(page, 'Control cage');
+    expect(control.name).toMatch(/^my-frame-mvs_cross-level\d\.obj$/);
+    const cage = Cage.read(control.text);
+    expect(cage.counts.genus).toBe(3);
+    const minimizer = new Minimizer(cage, { weights: { mvs_cross: 1 }, levels: [0, 0], maxIterations: 0 });
+    while (!minimizer.step(10));
+    // What was saved is the surface whose energies the table shows.
+    expect(minimizer.energies.mvs_cross / number(after['MVS with cross terms']) - 1).toBeLessThan(1e-3);
+    minimizer.dispose();
+
+    const limit = await download(page, 'Limit mesh');
+    expect(limit.name).toBe(control.name.replace('.obj', '-limit.obj'));
+    const mesh = Cage.read(limit.text);
+    expect(mesh.counts.genus).toBe(3);
+    expect(mesh.counts.faces % cage.counts.faces).toBe(0);
+    expect(mesh.counts.faces).toBeGreaterThan(50_000);
+
+    const report = await download(page, 'Report');
+    expect(JSON.parse(report.text)).toMatchObject({
+      functional: 'mvs_cross',
+      cap: 'smooth',
+      input: { name: 'my frame.obj', genus: 3 },
+      levels: [{ stop: 'cancelled' }],
+    });
+
+    await button(page, 'Reset').click();
+    await status(page, /^Ready/);
+    await page.locator('#energies .objective').filter({ hasText: before['MVS with cross terms'] }).waitFor();
+    expect(await energies(page)).toEqual(before);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  }, 120_000);
+
+  test('chooses a generated shape, its family and thickness, and a file by the button', async () => {
+    const { page, errors } = await openPage(browser, site.url);
+    await page.locator('[name=shape]').selectOption('two-4');
+    await page
+      .locator('.facts')
+      .filter({ hasText: /Genus\s*3/ })
+      .waitFor();
+    const flag = await page.locator('.facts').innerText();
+    await page.getByLabel('Hub').check();
+    await page.waitForFunction((old) => document.querySelector('.facts')?.textContent !== old, flag);
+    const thick = (await energies(page))['Bending energy'];
+    await page.locator('[name=thickness]').fill('0.7');
+    await page.waitForFunction(
+      (old) => document.querySelector('#energies tbody td:last-child')?.textContent !== old,
+      thick,
+    );
+    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), button(page, 'Choose file …').click()]);
+    await chooser.setFiles({ name: 'frame.obj', mimeType: 'model/obj', buffer: Buffer.from(tetrahedronFrame) });
+    await page.locator('.facts').filter({ hasText: 'frame.obj' }).waitFor();
+    expect(await page.locator('.frame-options').isVisible()).toBe(false);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  test('who drops a broken file reads the line at fault and keeps the surface', async () => {
+    const { page, errors } = await openPage(browser, site.url);
+    const [facts, table, picture] = [await page.locator('.facts').innerText(), await energies(page), await look(page)];
+    await dropFile(page, 'broken.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n');
+    const alert = page.locator('#alert');
+    await alert.waitFor();
+    expect(await alert.innerText()).toMatch(/broken\.obj was not opened\s+line 5/);
+    await button(page, 'Dismiss').click();
+    expect(await alert.isVisible()).toBe(false);
+    expect(await page.locator('.facts').innerText()).toBe(facts);
+    expect(await energies(page)).toEqual(table);
+    expect(await look(page)).toEqual(picture);
+    await button(page, 'Start').click();
+    await evaluated(page, 2);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  test('who leaves the cap away sees what diverges', async () => {
+    const { page } = await openPage(browser, site.url);
+    await page.locator('[name=functional]').selectOption('bending');
+    await page.getByLabel('None').check();
+    await page.locator('#energies').getByText('diverges').first().waitFor();
+    expect(await page.locator('#energies').getByText('diverges').count()).toBe(4);
+    await page.context().close();
+  });
+
+  test('blends functionals, and is told when nothing is left of them', async () => {
+    const { page } = await openPage(browser, site.url);
+    await page.locator('[name=functional]').selectOption('blend');
+    await page.locator('#energies .objective').filter({ hasText: 'Blend' }).waitFor();
+    for (const name of ['bending', 'mvs_cross']) {
+      await page.locator(`[name=weight-${name}]`).fill('0');
+      await page.locator(`[name=weight-${name}]`).blur();
+    }
+    expect(await page.locator('#settings-problem').innerText()).toMatch(/weight/);
+    expect(await button(page, 'Start').getAttribute('aria-disabled')).toBe('true');
+    await page.context().close();
+  });
+
+  test('works with the keyboard alone: to Start by Tab, Enter, and Enter again to pause', async () => {
+    const { page } = await openPage(browser, site.url);
+    const focused = () =>
+      page.evaluate(() => document.activeElement?.id || document.activeElement?.getAttribute('name'));
+    const seen = [];
+    for (let i = 0; i < 40 && (await focused()) !== 'primary'; i++) {
+      await page.keyboard.press('Tab');
+      seen.push(await focused());
+    }
+    expect(seen).toEqual(
+      expect.arrayContaining(['theme', 'shape', 'choose-file', 'functional', 'cap', 'shading', 'primary']),
+    );
+    const outline = await page.evaluate(
+      () => getComputedStyle(/** @type {Element} */ (document.activeElement)).outlineStyle,
+    );
+    expect(outline).toBe('solid');
+    await page.keyboard.press('Enter');
+    await evaluated(page, 3);
+    expect(await focused()).toBe('primary');
+    await page.keyboard.press('Enter');
+    await status(page, /^Paused/);
+    await page.keyboard.press('Tab');
+    expect(await focused()).toBe('step');
+    const { evaluations } = await progress(page);
+    await page.keyboard.press('Space');
+    await status(page, new RegExp(`^Paused after ${evaluations + 1} `));
+    await page.context().close();
+  });
+});
+
+describe('the worker', () => {
+  test('answers Cancel within 100 ms on a cage of more than 2000 patches, best of five', async () => {
+    const { page } = await openPage(browser, site.url);
+    await page.locator('[name=shape]').selectOption('hexagonal-prism-frame');
+    await page
+      .locator('.facts')
+      .filter({ hasText: /Genus\s*7/ })
+      .waitFor();
+    for (const name of ['last', 'first']) await page.locator(`[name=${name}]`).selectOption('2');
+    await measured(page);
+    const times = [];
+    for (let i = 0; i < 5; i++) {
+      await button(page, 'Start').click();
+      await status(page, /^Minimizing/);
+      await evaluated(page, 4 + 3 * i);
+      times.push(
+        await page.evaluate(
+          () =>
+            new Promise((resolve) => {
+              const line = /** @type {Element} */ (document.querySelector('#status'));
+              const start = performance.now();
+              new MutationObserver(() => {
+                if (line.textContent?.startsWith('Cancelled')) resolve(performance.now() - start);
+              }).observe(line, { childList: true, characterData: true, subtree: true });
+              /** @type {HTMLElement} */ (document.querySelector('#cancel')).click();
+            }),
+        ),
+      );
+    }
+    const patches = await page.locator('#levels tbody td').nth(1).innerText();
+    console.log(
+      `Cancel answered on ${patches} patches after ${times.map((time) => Math.round(Number(time))).join(', ')} ms`,
+    );
+    expect(Number(patches.replace(/\D/g, ''))).toBeGreaterThan(2000);
+    expect(Math.min(...times.map(Number))).toBeLessThan(100);
+    await page.context().close();
+  }, 120_000);
+
+  test('that hangs is replaced; the surface is kept, can be saved, and is gone on from', async () => {
+    const { page, errors } = await openPage(browser, site.url);
+    await page.locator('[name=last]').selectOption('4');
+    await page.locator('[name=first]').selectOption('2');
+    await button(page, 'Start').click();
+    await evaluated(page, 10);
+    await page.waitForTimeout(2500); // a copy of the surface is made every two seconds
+    const { evaluations } = await progress(page);
+    const picture = await look(page, true);
+    const [worker] = page.workers();
+    const ended = worker.waitForEvent('close', { timeout: 60_000 });
+    await worker.evaluate(() => {
+      setTimeout(() => {
+        for (;;);
+      });
+    });
+    await button(page, 'Pause').click();
+    await page
+      .locator('#alert')
+      .filter({ hasText: 'stopped answering and was restarted' })
+      .waitFor({ timeout: 15_000 });
+    await status(page, /^Interrupted/);
+    await ended;
+    expect(page.workers()).toHaveLength(1);
+    expect((await look(page)).coloured).toBeGreaterThan(0.5 * picture.coloured);
+
+    const control = await download(page, 'Control cage');
+    const cage = Cage.read(control.text);
+    expect(cage.counts.genus).toBe(2);
+    expect((await progress(page)).evaluations).toBeGreaterThanOrEqual(evaluations);
+
+    await measured(page);
+    expect(await page.getByLabel('This surface').isChecked()).toBe(true);
+    const before = await progress(page);
+    await button(page, 'Start').click();
+    await page.waitForFunction((count) => {
+      const text = document.querySelector('#progress')?.textContent ?? '';
+      return Number(/(\d+) evaluation/.exec(text)?.[1]) < count;
+    }, before.evaluations);
+    await evaluated(page, 2);
+    const resumed = await progress(page);
+    expect(resumed.level).toBeGreaterThanOrEqual(before.level);
+    // It goes on from the copy, which was at most two seconds old, not from the cage.
+    expect(resumed.energy).toBeLessThan(1.5 * before.energy);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  }, 120_000);
+});

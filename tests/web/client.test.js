@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The page's end of the worker: what it takes for a sign of life, and when it replaces a worker.
+ */
+import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { COMMAND_PATIENCE, PING_AFTER, WORK_PATIENCE, createClient } from '../../web/worker/client.js';
+import { progress } from './state.js';
+
+/** A worker whose answers the test gives. */
+class ScriptedWorker {
+  /** @type {any[]} */
+  commands = [];
+  terminated = false;
+  /** @type {any} */
+  onmessage = null;
+  /** @type {any} */
+  onerror = null;
+  /** @param {any} command */
+  postMessage(command) {
+    this.commands.push(command);
+  }
+  terminate() {
+    this.terminated = true;
+  }
+  /** @param {any} message */
+  say(message) {
+    this.onmessage?.({ data: message });
+  }
+  /** Answers every ping so far. */
+  pong() {
+    for (const { type } of this.commands.splice(0)) if (type === 'ping') this.say({ type: 'ponged' });
+  }
+}
+
+/** @type {ScriptedWorker[]} */
+let workers;
+/** @type {any[]} */
+let messages;
+/** @type {Array<[string, string]>} */
+let losses;
+/** @type {import('../../web/worker/client.js').Client} */
+let client;
+
+beforeEach(() => {
+  jest.useFakeTimers();
+  workers = [];
+  messages = [];
+  losses = [];
+  client = createClient({
+    createWorker: () => {
+      const worker = new ScriptedWorker();
+      workers.push(worker);
+      return worker;
+    },
+    onMessage: (message) => messages.push(message),
+    onLost: (loss, detail) => losses.push([loss, detail]),
+  });
+});
+
+afterEach(() => {
+  client.dispose();
+  jest.useRealTimers();
+});
+
+const last = () => workers[workers.length - 1];
+
+function load() {
+  last().say({ type: 'started', version: '1', cages: [] });
+  last().pong();
+}
+
+const stepped = { type: 'stepped', run: 1, progress: progress(0, 1), samples: new Float64Array(4) };
+
+describe('a worker', () => {
+  test('may take its time to load', () => {
+    jest.advanceTimersByTime(10 * WORK_PATIENCE);
+    expect(losses).toEqual([]);
+    load();
+    expect(messages).toEqual([{ type: 'started', version: '1', cages: [] }]);
+  });
+
+  test('that rests is left alone: no timer runs', () => {
+    load();
+    jest.advanceTimersByTime(1000);
+    expect(jest.getTimerCount()).toBe(0);
+  });
+
+  test('that computes and is silent is asked for a sign of life, and kept when it gives one', () => {
+    load();
+    client.send({ type: 'optimize', run: 1 });
+    last().pong();
+    jest.advanceTimersByTime(PING_AFTER + 1000);
+    expect(last().commands).toEqual([{ type: 'ping' }]);
+    for (let i = 0; i < 40; i++) {
+      last().pong();
+      jest.advanceTimersByTime(WORK_PATIENCE / 4);
+    }
+    expect(losses).toEqual([]);
+  });
+
+  test('that steps is never pinged', () => {
+    load();
+    client.send({ type: 'optimize', run: 1 });
+    last().pong();
+    for (let i = 0; i < 100; i++) {
+      last().say(stepped);
+      jest.advanceTimersByTime(PING_AFTER / 2);
+    }
+    expect(last().commands).toEqual([]);
+  });
+
+  test('that does not answer a pause is replaced within seconds', () => {
+    load();
+    client.send({ type: 'optimize', run: 1 });
+    last().pong();
+    client.send({ type: 'pause', run: 1 });
+    jest.advanceTimersByTime(COMMAND_PATIENCE - 500);
+    expect(losses).toEqual([]);
+    jest.advanceTimersByTime(1000);
+    expect(losses).toEqual([['silent', '']]);
+    expect(workers).toHaveLength(2);
+    expect(workers[0].terminated).toBe(true);
+    expect(workers[1].terminated).toBe(false);
+  });
+
+  test('that is silent while it computes is replaced after its patience, without being asked anything', () => {
+    load();
+    client.send({ type: 'optimize', run: 1 });
+    last().pong();
+    last().say(stepped);
+    jest.advanceTimersByTime(WORK_PATIENCE - 500);
+    expect(losses).toEqual([]);
+    jest.advanceTimersByTime(1000);
+    expect(losses).toEqual([['silent', '']]);
+  });
+
+  test('is not heard any more once it is replaced', () => {
+    load();
+    client.abandon();
+    expect(losses).toEqual([['abandoned', '']]);
+    messages.length = 0;
+    workers[0].say(stepped);
+    expect(messages).toEqual([]);
+  });
+
+  test('that fails in itself is replaced, one that refuses a file is not', () => {
+    load();
+    last().say({ type: 'failed', run: 2, kind: 'input', message: 'line 3: no' });
+    expect(losses).toEqual([]);
+    expect(messages.at(-1)).toMatchObject({ kind: 'input' });
+    last().say({ type: 'failed', run: 2, kind: 'internal', message: 'memory access out of bounds' });
+    expect(losses).toEqual([['broken', 'memory access out of bounds']]);
+    expect(workers).toHaveLength(2);
+  });
+
+  test('that cannot load is not tried again and again', () => {
+    last().onerror({ message: 'no such file' });
+    expect(losses).toEqual([['unloadable', 'no such file']]);
+    expect(workers).toHaveLength(1);
+    jest.advanceTimersByTime(WORK_PATIENCE * 3);
+    expect(losses).toHaveLength(1);
+  });
+
+  test('is ended with the client', () => {
+    load();
+    client.send({ type: 'optimize', run: 1 });
+    client.dispose();
+    expect(last().terminated).toBe(true);
+    expect(jest.getTimerCount()).toBe(0);
+  });
+});

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What actions cause: commands to the worker, and files.
+ */
+import { beforeEach, describe, expect, test } from '@jest/globals';
+import { createEffects } from '../../web/effects.js';
+import { fileName, reportJson } from '../../web/files/report.js';
+import { initialState, reduce } from '../../web/state/reduce.js';
+import { answered, ended, openedMessages, resting, running } from './state.js';
+
+/** @typedef {import('../../web/state/types.js').Action} Action */
+/** @typedef {import('../../web/state/types.js').State} State */
+
+/** @type {any[]} */
+let sent;
+/** @type {Array<[string, string, string]>} */
+let saved;
+let abandoned = 0;
+/** @type {ReturnType<typeof createEffects>} */
+let effects;
+
+beforeEach(() => {
+  sent = [];
+  saved = [];
+  abandoned = 0;
+  effects = createEffects({
+    client: { send: (command) => sent.push(command), abandon: () => abandoned++ },
+    save: (...file) => saved.push(file),
+  });
+});
+
+/** @param {State} state @param {...Action} actions @returns {State} */
+function run(state, ...actions) {
+  return actions.reduce((before, action) => {
+    const next = reduce(before, action);
+    effects(action, before, next);
+    return next;
+  }, state);
+}
+
+const types = () => sent.map(({ type }) => type);
+
+describe('the worker is told', () => {
+  test('to open the first cage', () => {
+    const state = initialState();
+    effects({ type: 'alertDismissed' }, { ...state, opening: null }, state);
+    expect(sent).toEqual([
+      {
+        type: 'open',
+        run: 1,
+        source: { kind: 'generated', name: 'two-3', family: 'flag', thickness: 1 },
+        options: { weights: { mvs_cross: 1 }, cap: 'smooth', levels: [0, 2], tolerance: 1e-6, maxIterations: 1000 },
+      },
+    ]);
+  });
+
+  test('to optimize, pause, step and cancel the run that is open', () => {
+    run(
+      resting(),
+      { type: 'startPressed' },
+      { type: 'pausePressed' },
+      { type: 'pausePressed' },
+      { type: 'cancelPressed' },
+    );
+    expect(types()).toEqual(['optimize', 'pause', 'cancel']);
+    run(resting(), { type: 'stepPressed' });
+    expect(sent.at(-1)).toEqual({ type: 'step', run: 1 });
+  });
+
+  test('to open and then to run, when a run starts anew', () => {
+    run(ended(), { type: 'startPressed' });
+    expect(types()).toEqual(['open', 'optimize']);
+    expect(sent.map((command) => command.run)).toEqual([2, 2]);
+  });
+
+  test('to run what it is still opening', () => {
+    const state = run(resting(), { type: 'settingsChanged', change: { cap: 'flat' } }, { type: 'startPressed' });
+    expect(types()).toEqual(['open', 'optimize']);
+    run(state, ...openedMessages(2));
+    expect(types()).toEqual(['open', 'optimize']);
+  });
+
+  test('nothing by what only changes the view', () => {
+    run(
+      running(),
+      { type: 'viewChanged', change: { shading: 'gaussian' } },
+      { type: 'fitPressed' },
+      { type: 'alertDismissed' },
+    );
+    expect(sent).toEqual([]);
+  });
+
+  test('nothing when a file is being opened and the user gives up: it is replaced', () => {
+    run(resting(), { type: 'fileChosen', name: 'huge.obj', text: new Uint8Array(1) }, { type: 'cancelPressed' });
+    expect(types()).toEqual(['open']);
+    expect(abandoned).toBe(1);
+  });
+});
+
+describe('a download', () => {
+  test('of the control cage is what the page holds, under a name that says what it is', () => {
+    run(ended(), { type: 'downloadPressed', what: 'control' });
+    expect(saved).toEqual([['two-3-mvs_cross-level2.obj', 'the end', 'model/obj']]);
+    expect(sent).toEqual([]);
+  });
+
+  test('of the limit mesh is asked of the worker', () => {
+    const state = run(ended(), { type: 'downloadPressed', what: 'limit' });
+    expect(sent).toEqual([{ type: 'export', run: 1 }]);
+    expect(state.exporting).toBe(true);
+    const done = run(state, answered({ type: 'exported', run: 1, obj: 'v 1 2 3' }));
+    expect(saved).toEqual([['two-3-mvs_cross-level2-limit.obj', 'v 1 2 3', 'model/obj']]);
+    expect(done.exporting).toBe(false);
+  });
+
+  test('of the report is JSON with null for what diverges', () => {
+    run(ended(), { type: 'downloadPressed', what: 'report' });
+    expect(saved[0][0]).toBe('two-3-mvs_cross.json');
+    const report = JSON.parse(saved[0][1]);
+    expect(report).toMatchObject({
+      version: '1.2.3',
+      input: { name: 'two-3', vertices: 26, genus: 2 },
+      functional: 'mvs_cross',
+      cap: 'smooth',
+      energies: { bending: 113, second_form_variation: null },
+      quadrature_error: 0.01,
+    });
+    expect(report.energies.quadratureError).toBeUndefined();
+  });
+
+  test('before a run is named by the cage alone', () => {
+    expect(fileName(resting(), 'control')).toBe('two-3-level0.obj');
+    expect(JSON.parse(reportJson(resting())).levels).toEqual([]);
+  });
+});

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What actions and the worker's messages make of the page's state.
+ */
+import { describe, expect, test } from '@jest/globals';
+import { initialState, reduce } from '../../web/state/reduce.js';
+import { objectiveValue, runButtons, statusSentence } from '../../web/state/select.js';
+import { changeSettings, defaultSettings, optionsOf, problemWith } from '../../web/state/settings.js';
+import { after, answered, ended, energies, openedMessages, progress, resting, running, stepped } from './state.js';
+
+const text = new TextEncoder().encode('v 0 0 0');
+
+/** @param {string} name @returns {import('../../web/state/types.js').Action} */
+const drop = (name) => ({ type: 'fileChosen', name, text });
+
+/** Which of the run's buttons work. @param {import('../../web/state/types.js').State} state */
+function working(state) {
+  const { primary, ...others } = runButtons(state);
+  return [primary, ...Object.values(others)].filter(({ enabled }) => enabled).map(({ label }) => label);
+}
+
+describe('the page', () => {
+  test('opens on the genus-2 frame', () => {
+    const state = initialState();
+    expect(state.opening).toMatchObject({ run: 1, purpose: 'cage', source: { name: 'two-3', family: 'flag' } });
+    expect(state.status).toBe('loading');
+    expect(working(state)).toEqual(['Cancel']);
+  });
+
+  test('shows the cage, its surface and its energies once the worker has opened it', () => {
+    const state = resting();
+    expect(state).toMatchObject({ status: 'resting', run: 1, opening: null, version: '1.2.3', fits: 1 });
+    expect(state.cage?.counts.genus).toBe(2);
+    expect(state.latest?.energies.bending).toBe(150);
+    expect(working(state)).toEqual(['Start', 'Step']);
+  });
+
+  test('never changes a state in place', () => {
+    /** @param {any} value @returns {any} */
+    const freeze = (value) => {
+      if (value && typeof value === 'object' && !ArrayBuffer.isView(value)) {
+        Object.values(value).forEach(freeze);
+        Object.freeze(value);
+      }
+      return value;
+    };
+    const frozen = freeze(running());
+    const next = after(frozen, stepped(1, 3), { type: 'pausePressed' }, drop('a.obj'), {
+      type: 'viewChanged',
+      change: { cage: true },
+    });
+    expect(next).not.toBe(frozen);
+    expect(frozen.samples).toHaveLength(5);
+  });
+});
+
+describe('a file', () => {
+  test('is opened beside what is there, which stays until it has opened', () => {
+    const opening = after(resting(), drop('spot.obj'));
+    expect(opening.opening).toMatchObject({ run: 2, purpose: 'cage', source: { kind: 'text', name: 'spot.obj' } });
+    expect(opening.cage?.name).toBe('two-3');
+    const opened = after(opening, ...openedMessages(2));
+    expect(opened).toMatchObject({ run: 2, fits: 2, opening: null, cage: { name: 'spot.obj' } });
+  });
+
+  test('that is refused leaves everything as it was, with the reason', () => {
+    const before = ended();
+    const refused = after(
+      before,
+      drop('bad.obj'),
+      answered({ type: 'failed', run: 2, kind: 'input', message: 'line 12: face has 2 vertices' }),
+    );
+    expect(refused.alert).toEqual({ title: 'bad.obj was not opened', message: 'line 12: face has 2 vertices' });
+    for (const part of /** @type {const} */ (['surface', 'cage', 'run', 'samples', 'saved', 'status', 'settings'])) {
+      expect(refused[part]).toBe(before[part]);
+    }
+    expect(reduce(refused, { type: 'alertDismissed' }).alert).toBeNull();
+  });
+
+  test('does not disturb a run that goes on when it is refused', () => {
+    const state = after(
+      running(),
+      drop('bad.obj'),
+      answered({ type: 'failed', run: 2, kind: 'input', message: 'line 1: no' }),
+      stepped(1, 2),
+    );
+    expect(state.status).toBe('running');
+    expect(state.samples).toHaveLength(7);
+  });
+
+  test('that opens clears the alert about the one before', () => {
+    const refused = after(
+      resting(),
+      drop('bad.obj'),
+      answered({ type: 'failed', run: 2, kind: 'input', message: 'no' }),
+    );
+    expect(after(refused, drop('good.obj'), ...openedMessages(3)).alert).toBeNull();
+  });
+});
+
+describe('settings', () => {
+  test('show the cage anew, under a new run', () => {
+    const state = reduce(resting(), { type: 'settingsChanged', change: { cap: 'flat' } });
+    expect(state.opening).toMatchObject({ run: 2, purpose: 'preview', then: 'hold', settings: { cap: 'flat' } });
+    const shown = after(state, ...openedMessages(2));
+    expect(shown.runSettings.cap).toBe('flat');
+    expect(shown.fits).toBe(1); // the view does not jump
+  });
+
+  test('stand still under a run, and change nothing of a run that has ended', () => {
+    const busy = running();
+    expect(reduce(busy, { type: 'settingsChanged', change: { cap: 'none' } })).toBe(busy);
+    const over = reduce(ended(), { type: 'settingsChanged', change: { functional: 'bending' } });
+    expect(over.opening).toBeNull();
+    expect(over.settings.functional).toBe('bending');
+    expect(over.runSettings.functional).toBe('mvs_cross');
+  });
+
+  test('that the core refuses go back to those that worked', () => {
+    const state = after(
+      resting(),
+      { type: 'settingsChanged', change: { levels: [6, 6] } },
+      answered({ type: 'failed', run: 2, kind: 'input', message: 'level 6 has too many faces' }),
+    );
+    expect(state.settings).toEqual(defaultSettings);
+    expect(state.alert?.message).toBe('level 6 has too many faces');
+  });
+
+  test('keep the first level at or below the last', () => {
+    expect(changeSettings(defaultSettings, { levels: [3, 2] }).levels).toEqual([3, 3]);
+    expect(changeSettings({ ...defaultSettings, levels: [1, 2] }, { levels: [1, 0] }).levels).toEqual([0, 0]);
+  });
+
+  test('that cannot be minimized say why, are not opened, and hold Start back', () => {
+    const blend = after(
+      resting(),
+      { type: 'settingsChanged', change: { functional: 'blend' } },
+      ...openedMessages(2),
+      { type: 'weightChanged', functional: 'bending', weight: 0 },
+      ...openedMessages(3),
+      { type: 'weightChanged', functional: 'mvs_cross', weight: 0 },
+    );
+    expect(problemWith(blend.settings)).toMatch(/weight/);
+    expect(blend.opening).toBeNull();
+    expect(working(blend)).toEqual([]);
+    expect(reduce(blend, { type: 'startPressed' })).toBe(blend);
+    expect(problemWith({ ...defaultSettings, tolerance: NaN })).toMatch(/tolerance/);
+    expect(problemWith({ ...defaultSettings, maxIterations: 1.5 })).toMatch(/whole number/);
+    expect(problemWith(defaultSettings)).toBeNull();
+  });
+
+  test('become options of the minimizer, with levels counted from where it starts', () => {
+    expect(optionsOf({ ...defaultSettings, levels: [1, 4] }, 0).levels).toEqual([1, 4]);
+    expect(optionsOf({ ...defaultSettings, levels: [1, 4] }, 2).levels).toEqual([0, 2]);
+    expect(optionsOf(defaultSettings, 0).weights).toEqual({ mvs_cross: 1 });
+    expect(optionsOf({ ...defaultSettings, functional: 'blend' }, 0).weights).toEqual({ bending: 0.5, mvs_cross: 0.5 });
+  });
+
+  test('say what the objective is worth, also when a part of it diverges', () => {
+    expect(objectiveValue({ ...defaultSettings, functional: 'blend' }, energies(100))).toBe(50 + 2000);
+    expect(objectiveValue({ ...defaultSettings, functional: 'second_form_variation' }, energies(1))).toBeNaN();
+    expect(objectiveValue({ ...defaultSettings, functional: 'bending' }, energies(100))).toBe(100);
+  });
+});
+
+describe('a run', () => {
+  test('starts, pauses when the worker has paused, and resumes', () => {
+    const started = reduce(resting(), { type: 'startPressed' });
+    expect(started.status).toBe('running');
+    expect(working(started)).toEqual(['Pause', 'Cancel', 'Reset']);
+    const asked = after(started, stepped(1, 5), { type: 'pausePressed' });
+    expect(asked).toMatchObject({ status: 'running', asked: 'pause' });
+    expect(working(asked)).toEqual(['Cancel', 'Reset']);
+    const paused = reduce(asked, answered({ type: 'paused', run: 1, progress: progress(0, 5) }));
+    expect(paused).toMatchObject({ status: 'paused', asked: null });
+    expect(working(paused)).toEqual(['Resume', 'Step', 'Cancel', 'Reset']);
+    expect(statusSentence(paused)).toBe('Paused after 5 evaluations.');
+    expect(reduce(paused, { type: 'startPressed' }).status).toBe('running');
+  });
+
+  test('collects samples, levels and energies, and remembers the first energies', () => {
+    const report = {
+      level: 0,
+      patches: 24,
+      unknowns: 78,
+      energy: 120,
+      energyReported: 120.1,
+      iterations: 4,
+      evaluations: 5,
+      seconds: 1,
+      stop: /** @type {const} */ ('converged'),
+    };
+    const state = after(
+      running(),
+      answered({ type: 'levelEnded', run: 1, report }),
+      answered({ type: 'measured', run: 1, evaluations: 5, energies: energies(113) }),
+    );
+    expect(state.samples[4]).toEqual({ evaluation: 5, energy: 146, gradientNorm: 2, level: 0 });
+    expect(state.levels).toEqual([report]);
+    expect(state.first?.energies.bending).toBe(150);
+    expect(state.latest).toMatchObject({ evaluations: 5, energies: { bending: 113 } });
+  });
+
+  test('hears nothing of the runs before it', () => {
+    const state = after(resting(), drop('spot.obj'), ...openedMessages(2));
+    expect(reduce(state, stepped(1, 4))).toBe(state);
+    expect(reduce(state, answered({ type: 'ended', run: 1, stop: 'converged', progress: progress(0, 4) }))).toBe(state);
+  });
+
+  test('ends with its reason in words', () => {
+    const state = ended();
+    expect(state).toMatchObject({ status: 'ended', stop: 'converged', saved: { obj: 'the end', level: 2 } });
+    expect(statusSentence(state)).toBe('Converged after 5 evaluations.');
+    expect(working(state)).toEqual(['Start', 'Step', 'Reset']);
+  });
+
+  test('starts again from the cage', () => {
+    const state = reduce(ended(), { type: 'startPressed' });
+    expect(state.opening).toMatchObject({
+      run: 2,
+      purpose: 'start',
+      then: 'run',
+      source: { kind: 'generated' },
+      levelOffset: 0,
+    });
+    const opened = after(state, ...openedMessages(2));
+    expect(opened).toMatchObject({ status: 'running', samples: [], levels: [], fits: 1 });
+  });
+
+  test('or goes on from the surface, its levels counted from the cage', () => {
+    const state = after(
+      ended(),
+      { type: 'settingsChanged', change: { origin: 'surface', levels: [0, 3] } },
+      { type: 'startPressed' },
+    );
+    expect(state.opening).toMatchObject({ then: 'run', levelOffset: 2, source: { kind: 'text', text: 'the end' } });
+    const opened = after(state, ...openedMessages(2), stepped(2, 3, 0));
+    expect(opened.cage?.source.kind).toBe('generated');
+    expect(opened.samples[0].level).toBe(2);
+    expect(opened.saved?.level).toBe(2);
+  });
+
+  test('is taken back to the cage by Reset, also while it goes on', () => {
+    for (const state of [running(), ended()]) {
+      const reset = after(state, { type: 'resetPressed' }, ...openedMessages(2));
+      expect(reset).toMatchObject({ status: 'resting', samples: [], levels: [], stop: null, fits: 1 });
+    }
+  });
+
+  test('that is asked to start while its cage is still being shown starts then', () => {
+    const state = after(resting(), { type: 'settingsChanged', change: { cap: 'flat' } }, { type: 'startPressed' });
+    expect(state.opening?.then).toBe('run');
+    expect(after(state, ...openedMessages(2)).status).toBe('running');
+  });
+
+  test('is cancelled once', () => {
+    const asked = reduce(running(), { type: 'cancelPressed' });
+    expect(asked.asked).toBe('cancel');
+    expect(working(asked)).toEqual(['Reset']);
+    const state = reduce(asked, answered({ type: 'ended', run: 1, stop: 'cancelled', progress: progress(0, 5) }));
+    expect(statusSentence(state)).toBe('Cancelled after 5 evaluations.');
+  });
+});
+
+describe('a worker that is lost', () => {
+  test('leaves the last surface, which is opened again and gone on from', () => {
+    const before = running();
+    const lost = reduce(before, { type: 'workerLost', loss: 'silent', detail: '' });
+    expect(lost).toMatchObject({ status: 'ended', stop: 'interrupted', settings: { origin: 'surface' } });
+    expect(lost.surface).toBe(before.surface);
+    expect(lost.samples).toBe(before.samples);
+    expect(lost.opening).toMatchObject({ purpose: 'recovery', source: { kind: 'text', text: 'after 5' } });
+    expect(lost.alert?.message).toMatch(/5 evaluations is kept/);
+    const back = after(lost, ...openedMessages(2));
+    expect(back).toMatchObject({ status: 'ended', run: 2, samples: before.samples, opening: null });
+    expect(working(back)).toEqual(['Start', 'Step', 'Reset']);
+    expect(reduce(back, { type: 'startPressed' }).opening).toMatchObject({
+      source: { text: 'start of 2' },
+      then: 'run',
+    });
+  });
+
+  test('while it opened a file leaves the cage that was there', () => {
+    const lost = after(resting(), drop('huge.obj'), { type: 'workerLost', loss: 'abandoned', detail: '' });
+    expect(lost.opening).toMatchObject({ purpose: 'recovery', source: { name: 'two-3' } });
+    expect(after(lost, ...openedMessages(3))).toMatchObject({ status: 'resting', cage: { name: 'two-3' } });
+  });
+
+  test('a second time while the surface was brought back is not tried a third time', () => {
+    const loss = /** @type {const} */ ({ type: 'workerLost', loss: 'broken', detail: 'out of memory' });
+    const lost = after(running(), loss, loss);
+    expect(lost.opening).toBeNull();
+    expect(lost.status).toBe('ended');
+    expect(lost.saved?.obj).toBe('after 5');
+    expect(lost.alert?.message).toMatch(/out of memory/);
+  });
+
+  test('because of settings gives back those that worked', () => {
+    const lost = after(
+      resting(),
+      { type: 'settingsChanged', change: { levels: [5, 6] } },
+      { type: 'workerLost', loss: 'silent', detail: '' },
+    );
+    expect(lost.settings.levels).toEqual([0, 2]);
+  });
+
+  test('for good leaves a page that says so', () => {
+    const lost = reduce(initialState(), { type: 'workerLost', loss: 'unloadable', detail: '' });
+    expect(lost).toMatchObject({ status: 'unavailable', opening: null });
+    expect(working(lost)).toEqual([]);
+    expect(lost.alert?.message).toMatch(/WebAssembly/);
+    expect(reduce(lost, drop('spot.obj'))).toBe(lost);
+  });
+});

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The parts of the scene that need no graphics: arrays handed to three.js, the extent of a surface, and the pace of frames.
+ */
+import { setTimeout as sleep } from 'node:timers/promises';
+import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
+import { BufferGeometry } from 'three';
+import { extent, setEdges, setSurface } from '../../web/scene/geometry.js';
+import { createPace } from '../../web/scene/pace.js';
+import { mesh } from './state.js';
+
+describe('a geometry', () => {
+  test('keeps its arrays while the mesh only moves, and is replaced when it has other counts', () => {
+    const geometry = new BufferGeometry();
+    let disposals = 0;
+    geometry.addEventListener('dispose', () => disposals++);
+    setSurface(geometry, mesh());
+    const [position, index] = [geometry.getAttribute('position'), geometry.getIndex()];
+    const moved = mesh();
+    moved.positions.fill(2);
+    setSurface(geometry, moved);
+    expect(geometry.getAttribute('position')).toBe(position);
+    expect(geometry.getIndex()).toBe(index);
+    expect(position.getX(1)).toBe(2);
+    expect(disposals).toBe(0);
+
+    const larger = {
+      ...mesh(),
+      positions: new Float32Array(12),
+      normals: new Float32Array(12),
+      curvatures: new Float32Array(8),
+    };
+    larger.triangles = new Uint32Array([0, 1, 2, 0, 2, 3]);
+    setSurface(geometry, larger);
+    expect(geometry.getAttribute('position').count).toBe(4);
+    expect(geometry.getIndex()?.count).toBe(6);
+    expect(disposals).toBe(1);
+  });
+
+  test('gets no curvature that a graphics card cannot interpolate', () => {
+    const geometry = new BufferGeometry();
+    const steep = mesh();
+    steep.curvatures.set([Infinity, -Infinity, NaN, 1, -2, 3e38]);
+    setSurface(geometry, steep);
+    const values = [...geometry.getAttribute('curvature').array];
+    expect(values[2]).toBe(0);
+    expect(values[3]).toBe(1);
+    for (const value of values) expect(Math.abs(value)).toBeLessThanOrEqual(1.0001e12);
+  });
+
+  test('of a cage has its edges as index', () => {
+    const geometry = new BufferGeometry();
+    setEdges(geometry, mesh());
+    expect([...(geometry.getIndex()?.array ?? [])]).toEqual([0, 1, 1, 2, 2, 0]);
+  });
+
+  test('extends from the middle of its box to its farthest vertex', () => {
+    expect(extent(Float32Array.from([0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 4]))).toEqual({ centre: [1, 2, 2], radius: 3 });
+  });
+});
+
+describe('the pace of frames', () => {
+  const request = globalThis.requestAnimationFrame;
+  const cancel = globalThis.cancelAnimationFrame;
+  beforeEach(() => {
+    globalThis.requestAnimationFrame = (callback) => Number(setTimeout(() => callback(performance.now()), 1));
+    globalThis.cancelAnimationFrame = (frame) => clearTimeout(frame);
+  });
+  afterEach(() => {
+    globalThis.requestAnimationFrame = request;
+    globalThis.cancelAnimationFrame = cancel;
+  });
+
+  test('makes one frame of many requests, and none of none', async () => {
+    let frames = 0;
+    const pace = createPace(() => frames++);
+    for (let i = 0; i < 10; i++) pace.request();
+    await sleep(100);
+    expect(frames).toBe(1);
+    pace.request();
+    await sleep(100);
+    expect(frames).toBe(2);
+    pace.dispose();
+  });
+
+  test('goes on while drawing asks for more, and rests when it does not', async () => {
+    let frames = 0;
+    const pace = createPace(() => {
+      frames++;
+      if (frames < 5) pace.request();
+    });
+    pace.request();
+    await sleep(300);
+    expect(frames).toBe(5);
+    pace.dispose();
+  });
+
+  test('leaves at least half of the time to the page where frames are slow', async () => {
+    let drawing = 0;
+    const pace = createPace(() => {
+      const start = performance.now();
+      while (performance.now() - start < 50);
+      drawing += performance.now() - start;
+      pace.request();
+    });
+    const start = performance.now();
+    pace.request();
+    await sleep(1000);
+    const time = performance.now() - start;
+    pace.dispose();
+    expect(drawing).toBeGreaterThan(100);
+    // One frame that has begun and has no pause behind it yet is allowed for.
+    expect(drawing).toBeLessThan(0.5 * time + 60);
+  });
+
+  test('ends when it is disposed of', async () => {
+    let frames = 0;
+    const pace = createPace(() => frames++);
+    pace.request();
+    pace.dispose();
+    await sleep(50);
+    expect(frames).toBe(0);
+  });
+});

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file States and messages that the tests of the page's state begin with.
+ */
+import { initialState, reduce } from '../../web/state/reduce.js';
+
+/** @typedef {import('../../web/state/types.js').State} State */
+/** @typedef {import('../../web/state/types.js').Action} Action */
+/** @typedef {import('../../web/worker/protocol.js').Message} Message */
+
+/** @param {State} state @param {...Action} actions @returns {State} */
+export const after = (state, ...actions) => actions.reduce(reduce, state);
+
+/** @param {Message} message @returns {Action} */
+export const answered = (message) => ({ type: 'answered', message });
+
+/** @returns {import('../../wasm/types.js').Mesh} */
+export function mesh() {
+  return {
+    positions: new Float32Array(9),
+    normals: new Float32Array(9),
+    curvatures: new Float32Array(6),
+    triangles: new Uint32Array([0, 1, 2]),
+    edges: new Uint32Array([0, 1, 1, 2, 2, 0]),
+  };
+}
+
+/** @param {number} level @param {number} totalEvaluations @returns {import('../../wasm/types.js').Progress} */
+export function progress(level, totalEvaluations) {
+  return {
+    phase: 'minimize',
+    level,
+    iterations: totalEvaluations,
+    evaluations: totalEvaluations,
+    totalEvaluations,
+    energy: 120,
+    gradientNorm: 1,
+    predictedDecrease: 0.5,
+  };
+}
+
+/** @param {number} bending @returns {import('../../wasm/types.js').Energies} */
+export function energies(bending) {
+  return {
+    bending,
+    willmore: 22,
+    mvs: 300,
+    mvs_cross: 4000,
+    mehlum_tarrou: 3000,
+    second_form_variation: NaN,
+    area: 12,
+    gaussian: -4 * Math.PI,
+    quadratureError: 0.01,
+  };
+}
+
+/** What the worker says when it has opened run `run`. @param {number} run @returns {Action[]} */
+export function openedMessages(run) {
+  const counts = { vertices: 26, edges: 60, faces: 32, components: 1, genus: 2 };
+  return [
+    answered({ type: 'opened', run, counts }),
+    answered({ type: 'surfaced', run, evaluations: 0, limit: mesh(), control: mesh() }),
+    answered({ type: 'saved', run, level: 0, evaluations: 0, obj: `start of ${run}` }),
+    answered({ type: 'measured', run, evaluations: 0, energies: energies(150) }),
+  ];
+}
+
+/**
+ * One message about `count` evaluations, at the run's own level `level`.
+ * @param {number} run
+ * @param {number} count
+ * @param {number} [level]
+ * @returns {Action}
+ */
+export function stepped(run, count, level = 0) {
+  const samples = Float64Array.from(
+    Array.from({ length: count }, (_, i) => [i + 1, 150 - i, 10 / (i + 1), level]).flat(),
+  );
+  return answered({ type: 'stepped', run, progress: progress(level, count), samples });
+}
+
+/** The page with its first cage open. @returns {State} */
+export function resting() {
+  const started = answered({ type: 'started', version: '1.2.3', cages: ['cube', 'two-3', 'two-4'] });
+  return after(initialState(), started, ...openedMessages(1));
+}
+
+/** The page after some steps of its first run. @returns {State} */
+export function running() {
+  return after(
+    resting(),
+    { type: 'startPressed' },
+    stepped(1, 5),
+    answered({ type: 'saved', run: 1, level: 0, evaluations: 5, obj: 'after 5' }),
+  );
+}
+
+/** The page after its first run, which ended at level 2. @returns {State} */
+export function ended() {
+  return after(
+    running(),
+    answered({ type: 'ended', run: 1, stop: 'converged', progress: progress(2, 5) }),
+    answered({ type: 'saved', run: 1, level: 2, evaluations: 5, obj: 'the end' }),
+    answered({ type: 'measured', run: 1, evaluations: 5, energies: energies(113) }),
+  );
+}

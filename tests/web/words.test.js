@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Numbers and names as the page prints them.
+ */
+import { describe, expect, test } from '@jest/globals';
+import { cageWords, stemOf } from '../../web/words/cages.js';
+import { caps, functionals, functionalWords } from '../../web/words/functionals.js';
+import { compact, counted, duration, significant, tickText, whole, withError } from '../../web/words/numbers.js';
+
+/** The narrow space between groups of digits does not break. @param {string} text */
+const narrow = (text) => text.replaceAll(' ', '\u202f');
+
+describe('a number', () => {
+  test.each([
+    [112.7668123, 6, '112.767'],
+    [-12.566370614, 6, '−12.5664'],
+    [4227.3, 6, '4227.30'],
+    [26500.123, 6, '26 500.1'],
+    [0.00012345678, 4, '0.0001235'],
+    [1.3e-7, 2, '1.3 × 10⁻⁷'],
+    [2.5e12, 3, '2.50 × 10¹²'],
+    [0, 6, '0'],
+    [999999.96, 6, '1 000 000'],
+    [NaN, 6, '–'],
+    [Infinity, 6, '∞'],
+    [-Infinity, 6, '−∞'],
+  ])('%p to %p digits is %p', (value, digits, text) => expect(significant(value, digits)).toBe(narrow(text)));
+
+  test.each([
+    [0.5, '0.5'],
+    [-2, '−2'],
+    [1.25, '1.25'],
+    [1000, '1000'],
+    [0, '0'],
+    [1e-6, '1 × 10⁻⁶'],
+  ])('%p is short as %p', (value, text) => expect(compact(value)).toBe(narrow(text)));
+
+  test.each([
+    [112.76693, 0.00031, '112.7669', '0.0003'],
+    [112.76693, 0.0000962, '112.76693', '0.00010'],
+    [3936.04, 0.0213, '3936.040', '0.021'],
+    [3936.04, 12.3, '3936', '12'],
+    [-12.566, 0.5, '−12.6', '0.5'],
+    [3936.04, 123, '3940', '120'],
+    [112.7668, 1e-13, '112.7668000', '1 × 10⁻¹³'],
+  ])('%p ± %p has the digits that its error justifies', (value, error, text, bar) => {
+    expect(withError(value, error)).toEqual({ value: text, error: narrow(bar) });
+  });
+
+  test.each([
+    [2000, '2000'],
+    [-0.5, '−0.5'],
+    [0, '0'],
+    [1e5, '10⁵'],
+    [1.5e7, '1.5 × 10⁷'],
+    [1e-9, '10⁻⁹'],
+    [-2e6, '−2 × 10⁶'],
+  ])('%p is %p on an axis', (value, text) => expect(tickText(value)).toBe(narrow(text)));
+
+  test('without an error has no error bar', () => {
+    expect(withError(112.7668, 0).error).toBe('');
+    expect(withError(NaN, 0.1)).toEqual({ value: '–', error: '' });
+    expect(withError(1, NaN).error).toBe('');
+  });
+
+  test('of things, of thousands and of seconds', () => {
+    expect(counted(1, 'face')).toBe('1 face');
+    expect(counted(12288, 'face')).toBe(`${narrow('12 288')} faces`);
+    expect(whole(-3)).toBe('−3');
+    expect(duration(0.42)).toBe('0.4 s');
+    expect(duration(59.6)).toBe('1 min 0 s');
+    expect(duration(200)).toBe('3 min 20 s');
+  });
+});
+
+describe('a name', () => {
+  test.each([
+    ['two-3', 'Two junctions, 3 arms', 2],
+    ['tetrahedron-frame', 'Tetrahedron frame', 3],
+    ['cube-frame', 'Cube frame', 5],
+    ['octahedron-frame', 'Octahedron frame', 7],
+    ['hexagonal-prism-frame', 'Hexagonal prism frame', 7],
+    ['truncated-tetrahedron-frame', 'Truncated tetrahedron frame', 7],
+    ['dodecahedron-frame', 'Dodecahedron frame', 11],
+    ['cube', 'Cube', 0],
+    ['torus', 'Torus', 1],
+    ['something-new', 'something-new', null],
+  ])('of the cage %s is %s, of genus %p', (name, title, genus) => {
+    expect(cageWords(name)).toMatchObject({ title, genus });
+  });
+
+  test('of a file is fit for another file', () => {
+    expect(stemOf('spot_control_mesh.obj')).toBe('spot_control_mesh');
+    expect(stemOf('C:\\cages\\my cage (1).OFF')).toBe('my-cage-1');
+    expect(stemOf('/a/b/übung.obj')).toBe('übung');
+    expect(stemOf('???')).toBe('cage');
+  });
+
+  test('and a formula belong to each functional, and a meaning to each cap', () => {
+    expect(functionals).toHaveLength(6);
+    for (const { id, formula, thirdOrder } of functionals) {
+      expect(functionalWords(id).name.length).toBeGreaterThan(3);
+      expect(formula.startsWith('A ∫')).toBe(thirdOrder);
+    }
+    expect(caps.map(({ id }) => id).sort()).toEqual(['flat', 'none', 'smooth']);
+  });
+});

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the surface can be shaded by: each quantity from the principal curvatures κ1 ≥ κ2, with its unit and its
+ * colour map.
+ */
+
+/** @import {MapName} from './maps.js' */
+
+/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'plain'} Shading */
+
+/**
+ * @typedef {object} Quantity
+ * @property {Shading} shading
+ * @property {string} name
+ * @property {string} symbol
+ * @property {string} unit
+ * @property {boolean} signed signed quantities have a range symmetric about 0
+ * @property {MapName} map
+ * @property {(kappa1: number, kappa2: number) => number} value
+ * @property {string} glsl the same from `k.x` and `k.y`
+ */
+
+/** @type {Quantity[]} */
+export const quantities = [
+  {
+    shading: 'mean',
+    name: 'Mean curvature',
+    symbol: 'H = (κ₁ + κ₂) / 2',
+    unit: '1/length',
+    signed: true,
+    map: 'diverging',
+    value: (kappa1, kappa2) => (kappa1 + kappa2) / 2,
+    glsl: '0.5 * (k.x + k.y)',
+  },
+  {
+    shading: 'gaussian',
+    name: 'Gaussian curvature',
+    symbol: 'K = κ₁κ₂',
+    unit: '1/length²',
+    signed: true,
+    map: 'diverging',
+    value: (kappa1, kappa2) => kappa1 * kappa2,
+    glsl: 'k.x * k.y',
+  },
+  {
+    shading: 'kappa1',
+    name: 'Largest principal curvature',
+    symbol: 'κ₁',
+    unit: '1/length',
+    signed: true,
+    map: 'diverging',
+    value: (kappa1) => kappa1,
+    glsl: 'k.x',
+  },
+  {
+    shading: 'kappa2',
+    name: 'Smallest principal curvature',
+    symbol: 'κ₂',
+    unit: '1/length',
+    signed: true,
+    map: 'diverging',
+    value: (_, kappa2) => kappa2,
+    glsl: 'k.y',
+  },
+  {
+    shading: 'magnitude',
+    name: 'Curvature magnitude',
+    symbol: '√(κ₁² + κ₂²)',
+    unit: '1/length',
+    signed: false,
+    map: 'sequential',
+    value: (kappa1, kappa2) => Math.hypot(kappa1, kappa2),
+    glsl: 'length(k)',
+  },
+];
+
+/**
+ * The quantity of a shading; null for plain.
+ * @param {Shading} shading
+ * @returns {Quantity | null}
+ */
+export function quantityOf(shading) {
+  return quantities.find((quantity) => quantity.shading === shading) ?? null;
+}
+
+/** Most values that a range is taken from; percentiles of so many are close enough. */
+const MAX_SAMPLES = 4096;
+
+/**
+ * The finite values of a quantity at evenly picked vertices.
+ * @param {Quantity} quantity
+ * @param {Float32Array} curvatures κ1, κ2 per vertex
+ * @returns {Float64Array}
+ */
+export function sampleValues(quantity, curvatures) {
+  const vertices = curvatures.length / 2;
+  const count = Math.min(vertices, MAX_SAMPLES);
+  const values = new Float64Array(count);
+  let kept = 0;
+  for (let i = 0; i < count; i++) {
+    const vertex = Math.floor((i * vertices) / count);
+    const value = quantity.value(curvatures[2 * vertex], curvatures[2 * vertex + 1]);
+    if (Number.isFinite(value)) values[kept++] = value;
+  }
+  return values.subarray(0, kept);
+}

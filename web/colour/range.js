@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The range of values that a colour map spans: robust against the few extreme curvatures near extraordinary
+ * vertices, with round ends, and calm while the surface moves.
+ */
+
+/** @typedef {{low: number, high: number, ticks: number[]}} Range */
+
+/** Fractions of the values below and above the range. */
+export const LOW_PERCENTILE = 0.02;
+export const HIGH_PERCENTILE = 0.98;
+
+const NICE_ENDS = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10];
+const NICE_STEPS = [1, 2, 2.5, 5, 10];
+
+/**
+ * The smallest of `mantissas`·10^k that is at least `value` > 0.
+ * @param {number} value
+ * @param {number[]} mantissas
+ */
+function roundUp(value, mantissas) {
+  const exponent = Math.floor(Math.log10(value));
+  const scale = 10 ** Math.abs(exponent);
+  const mantissa = mantissas.find((m) => m * 10 ** exponent >= value * (1 - 1e-9)) ?? 10;
+  return exponent < 0 ? mantissa / scale : mantissa * scale;
+}
+
+/**
+ * The value below which `fraction` of the sorted values lie.
+ * @param {Float64Array} sorted
+ * @param {number} fraction
+ */
+function percentile(sorted, fraction) {
+  const position = fraction * (sorted.length - 1);
+  const i = Math.floor(position);
+  return sorted[i] + (position - i) * ((sorted[i + 1] ?? sorted[i]) - sorted[i]);
+}
+
+/**
+ * The 2nd to 98th percentile, rounded outwards; symmetric about 0 for signed quantities.
+ * @param {Float64Array} values finite; reordered
+ * @param {boolean} signed
+ * @returns {Range}
+ */
+export function robustRange(values, signed) {
+  if (!values.length) return signed ? symmetric(1) : { low: 0, high: 1, ticks: [0, 0.5, 1] };
+  values.sort();
+  const low = percentile(values, LOW_PERCENTILE);
+  const high = percentile(values, HIGH_PERCENTILE);
+  const largest = Math.max(Math.abs(low), Math.abs(high));
+  if (!(largest > 0)) return signed ? symmetric(1) : { low: 0, high: 1, ticks: [0, 0.5, 1] };
+  if (signed) return symmetric(roundUp(largest, NICE_ENDS));
+  const start = low < largest / 3 ? 0 : low;
+  const step = roundUp(Math.max(high - start, largest * 1e-3) / 4, NICE_STEPS);
+  const first = Math.floor(start / step + 1e-9);
+  const last = Math.max(first + 1, Math.ceil(high / step - 1e-9));
+  const ticks = Array.from({ length: last - first + 1 }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+  return { low: ticks[0], high: ticks[ticks.length - 1], ticks };
+}
+
+/** @param {number} end @returns {Range} */
+function symmetric(end) {
+  return { low: -end, high: end, ticks: [-end, -end / 2, 0, end / 2, end] };
+}
+
+/**
+ * `previous` while it still serves, so that a legend does not flicker: `next` neither exceeds it nor leaves much of
+ * it unused.
+ * @param {Range | null} previous
+ * @param {Range} next
+ * @returns {Range}
+ */
+export function calmRange(previous, next) {
+  if (!previous) return next;
+  const width = previous.high - previous.low;
+  const overshoot = Math.max(next.high - previous.high, previous.low - next.low) / width;
+  const used = (next.high - next.low) / width;
+  return overshoot <= 0.02 && used >= 0.6 ? previous : next;
+}

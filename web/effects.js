@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What actions cause outside the state: commands to the worker and files to save. Compares the state before and
+ * after; decides nothing.
+ */
+import { fileName, reportJson } from './files/report.js';
+import { optionsOf } from './state/settings.js';
+
+/** @import {Action, State} from './state/types.js' */
+/** @import {Client} from './worker/client.js' */
+
+/**
+ * @param {object} surroundings
+ * @param {Pick<Client, 'send' | 'abandon'>} surroundings.client
+ * @param {(name: string, text: string, type: string) => void} surroundings.save
+ * @returns {(action: Action, before: State, after: State) => void}
+ */
+export function createEffects({ client, save }) {
+  /** @param {State} before @param {State} after */
+  function open(before, after) {
+    const { opening } = after;
+    if (!opening) return;
+    const isNew = opening.run !== before.opening?.run;
+    const { run, source, settings, levelOffset, then } = opening;
+    if (isNew) client.send({ type: 'open', run, source, options: optionsOf(settings, levelOffset) });
+    if (then !== 'hold' && (isNew || then !== before.opening?.then)) {
+      client.send({ type: then === 'run' ? 'optimize' : 'step', run });
+    }
+  }
+
+  /** @param {State} after @param {'control' | 'limit' | 'report'} what */
+  function download(after, what) {
+    if (what === 'control' && after.saved) save(fileName(after, what), after.saved.obj, 'model/obj');
+    if (what === 'report') save(fileName(after, what), reportJson(after), 'application/json');
+    if (what === 'limit') client.send({ type: 'export', run: after.run });
+  }
+
+  return (action, before, after) => {
+    open(before, after);
+    const { run } = after;
+    switch (action.type) {
+      case 'startPressed':
+      case 'stepPressed':
+        if (after.status === 'running' && before.status !== 'running') {
+          client.send({ type: action.type === 'startPressed' ? 'optimize' : 'step', run });
+        }
+        break;
+      case 'pausePressed':
+        if (after.asked === 'pause' && before.asked !== 'pause') client.send({ type: 'pause', run });
+        break;
+      case 'cancelPressed':
+        if (before.opening) client.abandon();
+        else if (after.asked === 'cancel' && before.asked !== 'cancel') client.send({ type: 'cancel', run });
+        break;
+      case 'downloadPressed':
+        download(after, action.what);
+        break;
+      case 'answered':
+        if (action.message.type === 'exported' && action.message.run === run) {
+          save(fileName(after, 'limit'), action.message.obj, 'model/obj');
+        }
+        break;
+    }
+  };
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The page's entry: one state, the worker that changes it, and the views that show it.
+ */
+import { createEffects } from './effects.js';
+import { saveText } from './files/save.js';
+import { storeTheme, storedTheme } from './files/theme.js';
+import { initialState, reduce } from './state/reduce.js';
+import { createCageView } from './views/cage.js';
+import { find, setText, whenChanged } from './views/dom.js';
+import { createDropView, createFileTaker } from './views/drop.js';
+import { createLegendView } from './views/legend.js';
+import { createAlertView, createDownloadsView, createThemeView } from './views/notices.js';
+import { createObjectiveView } from './views/objective.js';
+import { createPlotView } from './views/plot.js';
+import { createRunView } from './views/run.js';
+import { createSurfaceView } from './views/surface.js';
+import { createEnergiesView, createLevelsView } from './views/tables.js';
+import { createClient } from './worker/client.js';
+
+/** @import {Action} from './state/types.js' */
+
+const client = createClient({
+  createWorker: () => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }),
+  onMessage: (message) => dispatch({ type: 'answered', message }),
+  onLost: (loss, detail) => dispatch({ type: 'workerLost', loss, detail }),
+});
+const effects = createEffects({ client, save: saveText });
+let state = initialState(storedTheme());
+
+/** @param {Action} action */
+function dispatch(action) {
+  const before = state;
+  state = reduce(before, action);
+  effects(action, before, state);
+  if (state.view.theme !== before.view.theme) storeTheme(state.view.theme);
+  show();
+}
+
+const takeFiles = createFileTaker(dispatch);
+/** @param {string} id */
+const byId = (id) => find(document, `#${id}`);
+const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), dispatch);
+const legend = createLegendView(byId('legend'), dispatch);
+const surface = createSurfaceView(byId('surface'), dispatch);
+const plain = [
+  createCageView(byId('cage'), dispatch, takeFiles),
+  createObjectiveView(byId('objective'), dispatch),
+  createRunView(byId('run'), dispatch),
+  createPlotView(byId('plot')),
+  createEnergiesView(byId('energies')),
+  createLevelsView(byId('levels')),
+  createDownloadsView(byId('downloads'), dispatch),
+  createAlertView(byId('alert'), dispatch),
+];
+createDropView(byId('drop'), takeFiles);
+
+const recolour = whenChanged((/** @type {boolean} */ dark) => surface.recolour());
+
+function show() {
+  recolour(theme.update(state));
+  surface.update(state, legend.update(state));
+  for (const view of plain) view.update(state);
+  setText(byId('version'), state.version);
+}
+
+effects({ type: 'alertDismissed' }, { ...state, opening: null }, state);
+show();

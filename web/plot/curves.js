@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The curves of the convergence plot: one piece per level, with no more points than pixels can show.
+ */
+
+/** @import {Sample} from '../state/types.js' */
+/** @import {Scale} from './scales.js' */
+
+/** @typedef {{x: number, y: number, width: number, height: number}} Box */
+
+/**
+ * Samples of one level each, in order.
+ * @param {Sample[]} samples
+ * @returns {Sample[][]}
+ */
+export function pieces(samples) {
+  /** @type {Sample[][]} */
+  const found = [];
+  for (const sample of samples) {
+    const piece = found.at(-1);
+    if (piece && piece[0].level === sample.level) piece.push(sample);
+    else found.push([sample]);
+  }
+  return found;
+}
+
+/**
+ * At most about `limit` samples: the first, the last, and evenly picked ones between.
+ * @param {Sample[]} samples
+ * @param {number} limit >= 2
+ * @returns {Sample[]}
+ */
+export function thinned(samples, limit) {
+  if (samples.length <= limit) return samples;
+  const step = (samples.length - 1) / (limit - 1);
+  return Array.from({ length: limit }, (_, i) => samples[Math.round(i * step)]);
+}
+
+/**
+ * The SVG path of one quantity over the evaluations; a piece of one sample becomes a dot. Values that the scale
+ * cannot show leave gaps.
+ * @param {Sample[][]} levels
+ * @param {(sample: Sample) => number} value
+ * @param {Scale} across
+ * @param {Scale} up
+ * @param {Box} box
+ */
+export function curvePath(levels, value, across, up, box) {
+  let path = '';
+  for (const piece of levels) {
+    let pen = 'M';
+    for (const sample of thinned(piece, box.width)) {
+      const y = Math.min(1, up.position(value(sample)));
+      if (!Number.isFinite(y)) {
+        pen = 'M';
+        continue;
+      }
+      const px = box.x + across.position(sample.evaluation) * box.width;
+      const py = box.y + (1 - y) * box.height;
+      path += `${pen}${px.toFixed(1)} ${py.toFixed(1)}${piece.length === 1 ? 'h0' : ''}`;
+      pen = 'L';
+    }
+  }
+  return path;
+}

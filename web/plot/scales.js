@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Axes: from a range of values to pixels, with round ticks.
+ */
+
+/**
+ * @typedef {object} Scale
+ * @property {boolean} logarithmic
+ * @property {[number, number]} domain
+ * @property {number[]} ticks
+ * @property {(value: number) => number} position 0 at the start of the domain, 1 at its end
+ */
+
+/** @param {number} span @param {number} count */
+function niceStep(span, count) {
+  const raw = span / count;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  return ([1, 2, 5].find((m) => m * power >= raw * (1 - 1e-9)) ?? 10) * power;
+}
+
+/**
+ * About `count` intervals; the domain ends at ticks when `closed`, and at the values otherwise.
+ * @param {number} low
+ * @param {number} high
+ * @param {number} count
+ * @param {boolean} closed
+ * @returns {Scale}
+ */
+export function linearScale(low, high, count, closed) {
+  const span = high > low ? high - low : Math.abs(low) || 1;
+  const step = niceStep(span, count);
+  const first = (closed ? Math.floor : Math.ceil)(low / step + (closed ? 1e-9 : -1e-9));
+  const end = high > low ? high : low + span;
+  const last = (closed ? Math.ceil : Math.floor)(end / step + (closed ? -1e-9 : 1e-9));
+  const ticks = Array.from({ length: last - first + 1 }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+  const [start, stop] = closed ? [ticks[0], ticks[ticks.length - 1]] : [low, end];
+  return { logarithmic: false, domain: [start, stop], ticks, position: (value) => (value - start) / (stop - start) };
+}
+
+/**
+ * From a round number (1, 2 or 5 times a power of ten) below the values to one above them; ticks at powers of ten, at most about
+ * `count`, or more round numbers where there are few powers.
+ * @param {number} low > 0
+ * @param {number} high >= low
+ * @param {number} count
+ * @returns {Scale}
+ */
+export function logScale(low, high, count) {
+  const first = Math.floor(Math.log10(low));
+  const powers = Array.from({ length: Math.ceil(Math.log10(high)) - first + 2 }, (_, i) => first + i);
+  const round = powers.flatMap((power) => [1, 2, 5].map((mantissa) => Number(`${mantissa}e${power}`)));
+  const start = round.findLast((tick) => tick <= low * (1 + 1e-9)) ?? round[0];
+  const end = round.find((tick) => tick >= high * (1 - 1e-9) && tick > start) ?? round[round.length - 1];
+  const inside = powers.filter((power) => Number(`1e${power}`) >= start && Number(`1e${power}`) <= end);
+  const every = Math.max(1, Math.ceil(inside.length / count));
+  const fine = round.filter((tick) => tick >= start && tick <= end);
+  const coarse = inside.filter((_, i) => i % every === 0).map((power) => Number(`1e${power}`));
+  let ticks = coarse;
+  if (inside.length < 3) ticks = fine.length <= count + 2 ? fine : [...new Set([start, ...coarse, end])];
+  const [a, b] = [Math.log(start), Math.log(end)];
+  return { logarithmic: true, domain: [start, end], ticks, position: (value) => (Math.log(value) - a) / (b - a) };
+}
+
+/** The part of the energies, the highest ones, that may be above the plot. */
+const UNSETTLED = 0.04;
+
+/**
+ * The values without the few highest: energies fall steeply at first, and what follows would be a flat line below them.
+ * @param {number[]} values
+ */
+export function settled(values) {
+  const sorted = values.filter(Number.isFinite).sort((a, b) => a - b);
+  return sorted.slice(0, Math.max(1, Math.ceil(sorted.length * (1 - UNSETTLED))));
+}
+
+/** A range this wide is easier to read by its powers. */
+const WIDE = 12;
+
+/**
+ * A scale for these values: logarithmic when asked, or when they span a wide range of one sign.
+ * @param {number[]} values
+ * @param {number} count of ticks
+ * @param {boolean} preferLog
+ * @returns {Scale}
+ */
+export function scaleFor(values, count, preferLog) {
+  const usable = values.filter((value) => Number.isFinite(value) && (!preferLog || value > 0));
+  if (!usable.length) return linearScale(0, 1, count, true);
+  const low = usable.reduce((a, b) => Math.min(a, b));
+  const high = usable.reduce((a, b) => Math.max(a, b));
+  if (low > 0 && (preferLog || high / low > WIDE)) return logScale(low, high, count);
+  return linearScale(low, high, count, true);
+}

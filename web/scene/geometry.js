@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The arrays of a mesh in the hands of three.js: reused while the mesh only moves, replaced when it has other
+ * counts.
+ */
+import { BufferAttribute } from 'three';
+
+/** @import {BufferGeometry} from 'three' */
+/** @import {Mesh} from '../../wasm/types.js' */
+
+/** Curvatures near extraordinary vertices may be infinite; the graphics card cannot interpolate those. */
+const LARGEST = 1e12;
+
+/** @param {Float32Array} values changed in place */
+function makeFinite(values) {
+  for (let i = 0; i < values.length; i++) {
+    const value = values[i];
+    if (!(value <= LARGEST && value >= -LARGEST)) values[i] = Number.isNaN(value) ? 0 : Math.sign(value) * LARGEST;
+  }
+}
+
+/**
+ * @param {BufferGeometry} geometry
+ * @param {string} name
+ * @param {Float32Array} array
+ * @param {number} itemSize
+ */
+function setAttribute(geometry, name, array, itemSize) {
+  const attribute = geometry.getAttribute(name);
+  if (attribute instanceof BufferAttribute && attribute.array.length === array.length) {
+    attribute.copyArray(array);
+    attribute.needsUpdate = true;
+  } else {
+    geometry.setAttribute(name, new BufferAttribute(array, itemSize));
+  }
+}
+
+/** @param {BufferGeometry} geometry @param {Uint32Array} index */
+function setIndex(geometry, index) {
+  const current = geometry.getIndex();
+  if (!current || current.array.length !== index.length || index.some((value, i) => value !== current.array[i])) {
+    geometry.setIndex(new BufferAttribute(index, 1));
+  }
+}
+
+/**
+ * @param {BufferGeometry} geometry
+ * @param {number} vertices
+ */
+function disposeIfChanged(geometry, vertices) {
+  const position = geometry.getAttribute('position');
+  if (position && position.count !== vertices) geometry.dispose();
+}
+
+/**
+ * The limit surface: triangles with normals and curvatures.
+ * @param {BufferGeometry} geometry
+ * @param {Mesh} mesh
+ */
+export function setSurface(geometry, mesh) {
+  disposeIfChanged(geometry, mesh.positions.length / 3);
+  makeFinite(mesh.curvatures);
+  setAttribute(geometry, 'position', mesh.positions, 3);
+  setAttribute(geometry, 'normal', mesh.normals, 3);
+  setAttribute(geometry, 'curvature', mesh.curvatures, 2);
+  setIndex(geometry, mesh.triangles);
+  geometry.computeBoundingSphere();
+}
+
+/**
+ * The control cage: its edges.
+ * @param {BufferGeometry} geometry
+ * @param {Mesh} mesh
+ */
+export function setEdges(geometry, mesh) {
+  disposeIfChanged(geometry, mesh.positions.length / 3);
+  setAttribute(geometry, 'position', mesh.positions, 3);
+  setIndex(geometry, mesh.edges);
+  geometry.computeBoundingSphere();
+}
+
+/**
+ * Centre of the bounding box and the radius about it that holds every vertex.
+ * @param {Float32Array} positions
+ * @returns {{centre: [number, number, number], radius: number}}
+ */
+export function extent(positions) {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; i++) {
+    low[i % 3] = Math.min(low[i % 3], positions[i]);
+    high[i % 3] = Math.max(high[i % 3], positions[i]);
+  }
+  const [x, y, z] = low.map((value, axis) => (value + high[axis]) / 2);
+  let squared = 0;
+  for (let i = 0; i < positions.length; i += 3) {
+    squared = Math.max(squared, (positions[i] - x) ** 2 + (positions[i + 1] - y) ** 2 + (positions[i + 2] - z) ** 2);
+  }
+  return { centre: [x, y, z], radius: Math.sqrt(squared) };
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The surface's material: a soft ceramic whose colour is read, for each vertex, from its principal curvatures
+ * through a colour map.
+ */
+import { Color, DataTexture, DoubleSide, LinearFilter, MeshStandardMaterial, SRGBColorSpace } from 'three';
+import { MAP_SIZE, mapBytes } from '../colour/maps.js';
+import { quantities } from '../colour/quantities.js';
+
+/** @import {MapName} from '../colour/maps.js' */
+/** @import {Quantity} from '../colour/quantities.js' */
+/** @import {Range} from '../colour/range.js' */
+
+/** Colour of the surface where it is not shaded by a quantity. */
+const PLAIN = new Color(0xd9d2c5);
+
+/** @param {MapName} name */
+function mapTexture(name) {
+  const texture = new DataTexture(mapBytes(name), MAP_SIZE, 1);
+  texture.colorSpace = SRGBColorSpace;
+  texture.minFilter = LinearFilter;
+  texture.magFilter = LinearFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+const cases = quantities.map(({ glsl }, i) => `if (which == ${i}) return ${glsl};`).join('\n  ');
+
+const VERTEX_HEAD = `
+attribute vec2 curvature;
+uniform int which;
+varying float vQuantity;
+float quantityOf(vec2 k) {
+  ${cases}
+  return 0.0;
+}
+`;
+
+const FRAGMENT_HEAD = `
+uniform int which;
+uniform sampler2D colourMap;
+uniform vec2 range;
+varying float vQuantity;
+`;
+
+/** The map's texel centres run from 0.5 to MAP_SIZE - 0.5. */
+const FRAGMENT_COLOUR = `
+#include <color_fragment>
+if (which >= 0) {
+  float t = clamp((vQuantity - range.x) / (range.y - range.x), 0.0, 1.0);
+  diffuseColor.rgb = texture2D(colourMap, vec2((0.5 + t * ${(MAP_SIZE - 1).toFixed(1)}) / ${MAP_SIZE.toFixed(1)}, 0.5)).rgb;
+}
+`;
+
+/**
+ * @returns {{material: MeshStandardMaterial, shade: (quantity: Quantity | null, range: Range | null) => void,
+ *   dispose: () => void}}
+ */
+export function createSurfaceMaterial() {
+  const textures = { diverging: mapTexture('diverging'), sequential: mapTexture('sequential') };
+  const uniforms = {
+    which: { value: -1 },
+    colourMap: { value: textures.diverging },
+    range: { value: [-1, 1] },
+  };
+  const material = new MeshStandardMaterial({ color: PLAIN, roughness: 0.52, metalness: 0, side: DoubleSide });
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, uniforms);
+    shader.vertexShader = (VERTEX_HEAD + shader.vertexShader).replace(
+      '#include <begin_vertex>',
+      '#include <begin_vertex>\nvQuantity = quantityOf(curvature);',
+    );
+    shader.fragmentShader = (FRAGMENT_HEAD + shader.fragmentShader).replace(
+      '#include <color_fragment>',
+      FRAGMENT_COLOUR,
+    );
+  };
+  return {
+    material,
+    shade(quantity, range) {
+      uniforms.which.value = quantity && range ? quantities.indexOf(quantity) : -1;
+      if (!quantity || !range) return;
+      uniforms.colourMap.value = textures[quantity.map];
+      uniforms.range.value = [range.low, range.high];
+    },
+    dispose() {
+      material.dispose();
+      Object.values(textures).forEach((texture) => texture.dispose());
+    },
+  };
+}

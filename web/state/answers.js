@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the worker's messages, and its loss, make of the page's state. Pure. Messages about runs that are no
+ * longer shown change nothing.
+ */
+import { SAMPLE_SIZE } from '../worker/protocol.js';
+import { whole } from '../words/numbers.js';
+import { beginOpening } from './opening.js';
+
+/** @import {Loss} from '../worker/client.js' */
+/** @import {Message, Opened} from '../worker/protocol.js' */
+/** @import {Opening, Sample, State} from './types.js' */
+
+/**
+ * @param {State} state
+ * @param {Message} message
+ * @returns {State}
+ */
+export function afterAnswer(state, message) {
+  switch (message.type) {
+    case 'started':
+      return { ...state, version: message.version, cageNames: message.cages };
+    case 'opened':
+      return state.opening?.run === message.run ? afterOpened(state, state.opening, message) : state;
+    case 'failed':
+      return afterFailed(state, message.run, message.message);
+    case 'ponged':
+      return state;
+    default:
+      return message.run === state.run ? afterRunMessage(state, message) : state;
+  }
+}
+
+/**
+ * @param {State} state
+ * @param {Exclude<Message, {type: 'started' | 'opened' | 'failed' | 'ponged'}>} message
+ * @returns {State}
+ */
+function afterRunMessage(state, message) {
+  switch (message.type) {
+    case 'surfaced': {
+      const { limit, control, evaluations } = message;
+      const fits = state.fits + (state.fitDue ? 1 : 0);
+      return { ...state, surface: { limit, control, evaluations }, fits, fitDue: false };
+    }
+    case 'measured': {
+      const latest = { energies: message.energies, evaluations: message.evaluations };
+      return { ...state, latest, first: state.first ?? latest };
+    }
+    case 'stepped':
+      return {
+        ...state,
+        progress: message.progress,
+        samples: state.samples.concat(unpack(message.samples, state.levelOffset)),
+      };
+    case 'levelEnded': {
+      const report = { ...message.report, level: message.report.level + state.levelOffset };
+      return { ...state, levels: [...state.levels, report] };
+    }
+    case 'paused':
+      return { ...state, status: 'paused', asked: null, progress: message.progress };
+    case 'ended':
+      return { ...state, status: 'ended', asked: null, stop: message.stop, progress: message.progress };
+    case 'saved': {
+      const { obj, level, evaluations } = message;
+      return { ...state, saved: { obj, level: level + state.levelOffset, evaluations } };
+    }
+    case 'exported':
+      return { ...state, exporting: false };
+  }
+}
+
+/** @param {Float64Array} packed @param {number} levelOffset @returns {Sample[]} */
+function unpack(packed, levelOffset) {
+  return Array.from({ length: packed.length / SAMPLE_SIZE }, (_, i) => {
+    const [evaluation, energy, gradientNorm, level] = packed.subarray(i * SAMPLE_SIZE, (i + 1) * SAMPLE_SIZE);
+    return { evaluation, energy, gradientNorm, level: level + levelOffset };
+  });
+}
+
+/**
+ * @param {State} state
+ * @param {Opening} opening
+ * @param {Opened} message
+ * @returns {State}
+ */
+function afterOpened(state, opening, message) {
+  const { run, source, settings, purpose, then, levelOffset } = opening;
+  /** @type {State} */
+  const opened = { ...state, run, opening: null, levelOffset, asked: null, runSettings: settings, exporting: false };
+  if (purpose === 'recovery') return { ...opened, status: state.samples.length ? 'ended' : 'resting' };
+  /** @type {State} */
+  const fresh = {
+    ...opened,
+    status: then === 'hold' ? 'resting' : 'running',
+    progress: null,
+    stop: null,
+    samples: [],
+    levels: [],
+    first: null,
+  };
+  if (purpose !== 'cage') return fresh;
+  return {
+    ...fresh,
+    settings: { ...state.settings, origin: 'cage' },
+    cage: { source, name: source.name, counts: message.counts },
+    saved: null,
+    latest: null,
+    fitDue: true,
+    alert: null,
+  };
+}
+
+/** @param {State} state @param {number} run @param {string} message @returns {State} */
+function afterFailed(state, run, message) {
+  const { opening } = state;
+  if (opening?.run !== run) {
+    return run === state.run ? { ...state, exporting: false, alert: { title: 'This did not work', message } } : state;
+  }
+  /** @type {State} */
+  const closed = { ...state, opening: null, status: state.status === 'loading' ? 'resting' : state.status };
+  if (opening.purpose === 'cage') {
+    return { ...closed, alert: { title: `${opening.source.name} was not opened`, message } };
+  }
+  return { ...closed, settings: state.runSettings, alert: { title: 'These settings cannot be used', message } };
+}
+
+/** @type {Record<Loss, string>} */
+const lossTitles = {
+  silent: 'The computation stopped answering and was restarted',
+  broken: 'The computation broke off and was restarted',
+  abandoned: 'Opening was given up',
+  unloadable: 'The computation could not be loaded',
+};
+
+/**
+ * The worker has been replaced by one that knows nothing. What the page holds stays, and is opened again.
+ * @param {State} state
+ * @param {Loss} loss
+ * @param {string} detail
+ * @returns {State}
+ */
+export function afterLoss(state, loss, detail) {
+  const title = lossTitles[loss];
+  /** @type {State} */
+  const idle = { ...state, opening: null, asked: null, exporting: false };
+  if (loss === 'unloadable') {
+    return { ...idle, status: 'unavailable', alert: { title, message: detail || 'WebAssembly with SIMD is needed.' } };
+  }
+  const started = state.samples.length > 0 || state.status === 'running';
+  const kept =
+    started && state.saved
+      ? `The surface after ${whole(state.saved.evaluations)} evaluations is kept; Start goes on from it.`
+      : '';
+  const message = [detail, kept].filter(Boolean).join(' ') || 'What was there before is kept.';
+  /** @type {State} */
+  const stopped = {
+    ...idle,
+    status: started ? 'ended' : 'resting',
+    stop: started ? 'interrupted' : null,
+    settings: { ...state.runSettings, origin: started && state.saved ? 'surface' : 'cage' },
+    alert: { title, message },
+  };
+  if (!state.cage || state.opening?.purpose === 'recovery') return stopped;
+  const { name } = state.cage;
+  const saved = started ? state.saved : null;
+  const source = saved ? /** @type {const} */ ({ kind: 'text', name, text: saved.obj }) : state.cage.source;
+  return beginOpening(stopped, { source, purpose: 'recovery', then: 'hold', levelOffset: saved?.level ?? 0 });
+}

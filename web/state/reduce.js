@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The page's state at the start, and what the user's actions make of it. Pure; what must be sent or saved is in
+ * effects.js.
+ */
+import { afterAnswer, afterLoss } from './answers.js';
+import { beginOpening } from './opening.js';
+import { changeSettings, defaultSettings, problemWith } from './settings.js';
+
+/** @import {Action, State} from './types.js' */
+
+/** @type {State['generator']} */
+const firstGenerator = { name: 'two-3', family: 'flag', thickness: 1 };
+
+/**
+ * The page opens on a generated cage.
+ * @param {State['view']['theme']} [theme]
+ * @returns {State}
+ */
+export function initialState(theme = 'system') {
+  /** @type {State} */
+  const blank = {
+    status: 'loading',
+    version: '',
+    cageNames: [firstGenerator.name],
+    generator: firstGenerator,
+    settings: defaultSettings,
+    cage: null,
+    opening: null,
+    lastRun: 0,
+    run: 0,
+    runSettings: defaultSettings,
+    levelOffset: 0,
+    asked: null,
+    progress: null,
+    stop: null,
+    samples: [],
+    levels: [],
+    first: null,
+    latest: null,
+    surface: null,
+    saved: null,
+    fits: 0,
+    fitDue: false,
+    exporting: false,
+    alert: null,
+    view: { shading: 'mean', cage: false, theme },
+  };
+  return openGenerated(blank);
+}
+
+/** @param {State} state @returns {State} */
+function openGenerated(state) {
+  const source = /** @type {const} */ ({ kind: 'generated', ...state.generator });
+  return beginOpening(state, { source, purpose: 'cage', then: 'hold', levelOffset: 0 });
+}
+
+/** The cage as it was opened, with the settings of now. @param {State} state @returns {State} */
+function openPreview(state) {
+  if (!state.cage || problemWith(state.settings)) return state;
+  return beginOpening(state, { source: state.cage.source, purpose: 'preview', then: 'hold', levelOffset: 0 });
+}
+
+/** Whether settings may be changed: not under a run that uses them. @param {State} state */
+export function settingsAreFree(state) {
+  return state.status === 'resting' || state.status === 'ended' || state.status === 'loading';
+}
+
+/** Whether the next run goes on from the surface. @param {State} state */
+export function startsFromSurface(state) {
+  return state.status === 'ended' && state.settings.origin === 'surface' && state.saved !== null;
+}
+
+/**
+ * Start, resume or one step: on the run that is there, on the one being opened, or on a new one.
+ * @param {State} state
+ * @param {'run' | 'step'} then
+ * @returns {State}
+ */
+function go(state, then) {
+  if (!state.cage || problemWith(state.settings)) return state;
+  if (state.opening) {
+    return settingsAreFree(state) ? { ...state, opening: { ...state.opening, then } } : state;
+  }
+  if (state.status === 'resting' || state.status === 'paused')
+    return { ...state, status: 'running', asked: null, stop: null };
+  if (state.status !== 'ended') return state;
+  if (state.saved && startsFromSurface(state)) {
+    const source = /** @type {const} */ ({ kind: 'text', name: state.cage.name, text: state.saved.obj });
+    return beginOpening(state, { source, purpose: 'start', then, levelOffset: state.saved.level });
+  }
+  return beginOpening(state, { source: state.cage.source, purpose: 'start', then, levelOffset: 0 });
+}
+
+/**
+ * @param {State} state
+ * @param {Action} action
+ * @returns {State}
+ */
+export function reduce(state, action) {
+  switch (action.type) {
+    case 'generatorChanged':
+      return openGenerated({ ...state, generator: { ...state.generator, ...action.change } });
+    case 'fileChosen': {
+      const source = /** @type {const} */ ({ kind: 'text', name: action.name, text: action.text });
+      return beginOpening(state, { source, purpose: 'cage', then: 'hold', levelOffset: 0 });
+    }
+    case 'fileRefused':
+      return { ...state, alert: { title: `${action.name} was not opened`, message: action.message } };
+    case 'settingsChanged': {
+      if (!settingsAreFree(state)) return state;
+      const changed = { ...state, settings: changeSettings(state.settings, action.change) };
+      return state.status === 'ended' ? changed : openPreview(changed);
+    }
+    case 'weightChanged': {
+      const weights = { ...state.settings.weights, [action.functional]: action.weight };
+      return reduce(state, { type: 'settingsChanged', change: { weights } });
+    }
+    case 'startPressed':
+      return go(state, 'run');
+    case 'stepPressed':
+      return go(state, 'step');
+    case 'pausePressed':
+      return state.status === 'running' && !state.asked ? { ...state, asked: 'pause' } : state;
+    case 'cancelPressed':
+      return !state.opening && (state.status === 'running' || state.status === 'paused')
+        ? { ...state, asked: 'cancel' }
+        : state;
+    case 'resetPressed': {
+      const settings = { ...state.settings, origin: /** @type {const} */ ('cage') };
+      return openPreview({ ...state, settings });
+    }
+    case 'viewChanged':
+      return { ...state, view: { ...state.view, ...action.change } };
+    case 'fitPressed':
+      return { ...state, fits: state.fits + 1 };
+    case 'downloadPressed':
+      return action.what === 'limit' ? { ...state, exporting: true } : state;
+    case 'alertDismissed':
+      return { ...state, alert: null };
+    case 'answered':
+      return afterAnswer(state, action.message);
+    case 'workerLost':
+      return afterLoss(state, action.loss, action.detail);
+  }
+}

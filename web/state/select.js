@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the views read off the state: which buttons work, and what is going on in words.
+ */
+import { cageWords } from '../words/cages.js';
+import { functionalWords, stopWords } from '../words/functionals.js';
+import { counted } from '../words/numbers.js';
+import { settingsAreFree } from './reduce.js';
+import { activeWeights, problemWith } from './settings.js';
+
+/** @import {Energies, FunctionalName} from '../../wasm/types.js' */
+/** @import {Action, Settings, State} from './types.js' */
+
+/** @typedef {{label: string, action: Action['type'], enabled: boolean}} Button */
+
+/**
+ * The run's buttons. The first one starts, pauses and resumes.
+ * @param {State} state
+ * @returns {{primary: Button, step: Button, cancel: Button, reset: Button}}
+ */
+export function runButtons(state) {
+  const { status, opening, asked } = state;
+  const usable = state.cage !== null && !problemWith(state.settings) && status !== 'unavailable';
+  const startable = usable && (!opening || opening.then === 'hold') && opening?.purpose !== 'cage';
+  const active = (status === 'running' || status === 'paused') && !opening;
+  /** @type {Button} */
+  let primary = { label: 'Start', action: 'startPressed', enabled: startable && settingsAreFree(state) };
+  if (status === 'running') primary = { label: 'Pause', action: 'pausePressed', enabled: active && !asked };
+  if (status === 'paused') primary = { label: 'Resume', action: 'startPressed', enabled: active && !asked };
+  return {
+    primary,
+    step: {
+      label: 'Step',
+      action: 'stepPressed',
+      enabled: startable && !asked && (status === 'resting' || status === 'paused' || status === 'ended'),
+    },
+    cancel: { label: 'Cancel', action: 'cancelPressed', enabled: (active && asked !== 'cancel') || opening !== null },
+    reset: {
+      label: 'Reset',
+      action: 'resetPressed',
+      enabled: usable && !opening && (state.samples.length > 0 || active || status === 'ended'),
+    },
+  };
+}
+
+/**
+ * What goes on, in a sentence that changes only when something begins or ends.
+ * @param {State} state
+ */
+export function statusSentence(state) {
+  const { status, opening, stop } = state;
+  if (status === 'unavailable') return 'The computation is not available.';
+  if (opening && opening.purpose === 'cage') return `Opening ${titleOf(opening.source.name)} …`;
+  if (opening && opening.purpose === 'recovery') return 'Bringing the surface back …';
+  if (status === 'loading') return 'Loading …';
+  if (state.asked === 'pause') return 'Pausing …';
+  if (state.asked === 'cancel') return 'Cancelling …';
+  if (!state.cage) return 'Drop a cage file on the page, or choose a shape.';
+  const evaluations = counted(state.samples.at(-1)?.evaluation ?? 0, 'evaluation');
+  if (status === 'running') return 'Minimizing …';
+  if (status === 'paused') return `Paused after ${evaluations}.`;
+  if (status === 'ended' && stop) return `${capitalized(stopWords[stop])} after ${evaluations}.`;
+  return 'Ready.';
+}
+
+/** @param {string} words */
+const capitalized = (words) => words[0].toUpperCase() + words.slice(1);
+
+/** A cage's name as the page shows it: generated ones in words, files by their name. @param {string} name */
+export function titleOf(name) {
+  return cageWords(name).title;
+}
+
+/** @param {Settings} settings */
+export function objectiveName(settings) {
+  if (settings.functional !== 'blend') return functionalWords(settings.functional).name;
+  return Object.entries(activeWeights(settings))
+    .map(([id, weight]) => `${weight} × ${functionalWords(/** @type {FunctionalName} */ (id)).name}`)
+    .join(' + ');
+}
+
+/**
+ * The objective's value: the weighted sum of the energies; NaN when a part of it diverges.
+ * @param {Settings} settings
+ * @param {Energies} energies
+ */
+export function objectiveValue(settings, energies) {
+  return Object.entries(activeWeights(settings)).reduce(
+    (sum, [id, weight]) => sum + weight * energies[/** @type {FunctionalName} */ (id)],
+    0,
+  );
+}

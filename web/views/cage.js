@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The cage panel: the generated shapes with their family and thickness, the file button, and the facts about the
+ * cage that is open.
+ */
+import { cageWords } from '../words/cages.js';
+import { whole } from '../words/numbers.js';
+import { element, find, setText, whenChanged } from './dom.js';
+
+/** @import {Action, OpenCage, State} from '../state/types.js' */
+
+/** The menu's entry for a cage from a file. */
+const FILE = 'file';
+
+/** Menu texts: "Two junctions, 3 arms · genus 2". @param {string} name */
+function entryText(name) {
+  const { title, genus } = cageWords(name);
+  return genus === null ? title : `${title} · genus ${genus}`;
+}
+
+/** @param {OpenCage} cage @returns {Array<[string, string]>} */
+function facts({ source, name, counts }) {
+  return [
+    .../** @type {Array<[string, string]>} */ (source.kind === 'text' ? [['File', name]] : []),
+    ['Vertices', whole(counts.vertices)],
+    ['Edges', whole(counts.edges)],
+    ['Faces', whole(counts.faces)],
+    ['Genus', whole(counts.genus)],
+    ['Components', whole(counts.components)],
+  ];
+}
+
+/**
+ * @param {HTMLElement} root
+ * @param {(action: Action) => void} dispatch
+ * @param {(files: File[]) => void} takeFiles
+ */
+export function createCageView(root, dispatch, takeFiles) {
+  const listening = new AbortController();
+  const { signal } = listening;
+  const shape = /** @type {HTMLSelectElement} */ (find(root, '[name=shape]'));
+  const file = /** @type {HTMLInputElement} */ (find(root, '#file'));
+  const thickness = /** @type {HTMLInputElement} */ (find(root, '[name=thickness]'));
+  const thicknessValue = find(root, '#thickness-value');
+  const families = /** @type {HTMLInputElement[]} */ ([...root.querySelectorAll('[name=family]')]);
+  const frameOptions = find(root, '.frame-options');
+  const list = find(root, '.facts');
+
+  shape.addEventListener(
+    'change',
+    () => shape.value !== FILE && dispatch({ type: 'generatorChanged', change: { name: shape.value } }),
+    { signal },
+  );
+  find(root, '#choose-file').addEventListener('click', () => file.click(), { signal });
+  file.addEventListener(
+    'change',
+    () => {
+      takeFiles([...(file.files ?? [])]);
+      file.value = ''; // so that the same file can be chosen again
+    },
+    { signal },
+  );
+  for (const radio of families) {
+    const family = radio.value === 'hub' ? 'hub' : 'flag';
+    radio.addEventListener('change', () => dispatch({ type: 'generatorChanged', change: { family } }), { signal });
+  }
+  const showThickness = () => setText(thicknessValue, `× ${Number(thickness.value).toFixed(2)}`);
+  thickness.addEventListener('input', showThickness, { signal });
+  thickness.addEventListener(
+    'change',
+    () => dispatch({ type: 'generatorChanged', change: { thickness: Number(thickness.value) } }),
+    { signal },
+  );
+
+  const showNames = whenChanged((/** @type {string[]} */ names) => {
+    shape.replaceChildren(...names.map((name) => element('option', { value: name }, entryText(name))));
+  });
+
+  const showCage = whenChanged(
+    (
+      /** @type {OpenCage | null} */ cage,
+      /** @type {string[]} */ names,
+      /** @type {State['generator']} */ generator,
+    ) => {
+      const fromFile = cage?.source.kind === 'text';
+      shape.querySelector(`[value=${FILE}]`)?.remove();
+      if (cage && fromFile) shape.prepend(element('option', { value: FILE }, cage.name));
+      shape.value = fromFile ? FILE : generator.name;
+      frameOptions.hidden = fromFile || !cageWords(generator.name).frame;
+      for (const radio of families) radio.checked = radio.value === generator.family;
+      thickness.value = String(generator.thickness);
+      showThickness();
+      list.replaceChildren(
+        ...(cage ? facts(cage) : []).map(([term, value]) =>
+          element('div', term === 'File' ? { class: 'name' } : {}, element('dt', {}, term), element('dd', {}, value)),
+        ),
+      );
+    },
+  );
+
+  return {
+    /** @param {State} state */
+    update(state) {
+      showNames(state.cageNames);
+      showCage(state.cage, state.cageNames, state.generator);
+    },
+    dispose: () => listening.abort(),
+  };
+}

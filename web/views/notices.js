@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The alert over the surface, the downloads, and the theme button.
+ */
+import { element, find, onPress, setEnabled, setText, whenChanged } from './dom.js';
+
+/** @import {Action, State} from '../state/types.js' */
+
+/**
+ * @param {HTMLElement} root
+ * @param {(action: Action) => void} dispatch
+ */
+export function createAlertView(root, dispatch) {
+  const listening = new AbortController();
+  const box = find(root, 'div');
+  find(root, 'button').addEventListener('click', () => dispatch({ type: 'alertDismissed' }), {
+    signal: listening.signal,
+  });
+  const show = whenChanged((/** @type {State['alert']} */ alert) => {
+    root.hidden = !alert;
+    box.replaceChildren(...(alert ? [element('strong', {}, alert.title), element('p', {}, alert.message)] : []));
+  });
+  return {
+    /** @param {State} state */
+    update: (state) => show(state.alert),
+    dispose: () => listening.abort(),
+  };
+}
+
+/**
+ * @param {HTMLElement} root
+ * @param {(action: Action) => void} dispatch
+ */
+export function createDownloadsView(root, dispatch) {
+  const listening = new AbortController();
+  const names = /** @type {const} */ (['control', 'limit', 'report']);
+  const buttons = names.map((name) => {
+    const button = /** @type {HTMLButtonElement} */ (find(root, `[name=${name}]`));
+    onPress(button, () => dispatch({ type: 'downloadPressed', what: name }), listening.signal);
+    return button;
+  });
+  return {
+    /** @param {State} state */
+    update(state) {
+      const [control, limit, report] = buttons;
+      setEnabled(control, state.saved !== null);
+      setEnabled(limit, state.surface !== null && !state.exporting && !state.opening && state.status !== 'unavailable');
+      setEnabled(report, state.latest !== null);
+    },
+    dispose: () => listening.abort(),
+  };
+}
+
+/**
+ * @param {HTMLButtonElement} button
+ * @param {(action: Action) => void} dispatch
+ */
+export function createThemeView(button, dispatch) {
+  const listening = new AbortController();
+  const system = matchMedia('(prefers-color-scheme: dark)');
+  /** @type {State['view']['theme']} */
+  let theme = 'system';
+  const isDark = () => theme === 'dark' || (theme === 'system' && system.matches);
+  button.addEventListener(
+    'click',
+    () => dispatch({ type: 'viewChanged', change: { theme: isDark() ? 'light' : 'dark' } }),
+    { signal: listening.signal },
+  );
+  function show() {
+    document.documentElement.dataset.theme = theme;
+    setText(button, isDark() ? 'Light' : 'Dark');
+    button.setAttribute('aria-label', isDark() ? 'Light theme' : 'Dark theme');
+  }
+  system.addEventListener('change', show, { signal: listening.signal });
+  return {
+    /** @param {State} state */
+    update(state) {
+      theme = state.view.theme;
+      show();
+      return isDark();
+    },
+    dispose: () => listening.abort(),
+  };
+}

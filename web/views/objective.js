@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The panel that says what is minimized and how: functional or blend, cap, levels, tolerance, and where the next
+ * run starts.
+ */
+import { settingsAreFree } from '../state/reduce.js';
+import { MAX_LEVEL, problemWith } from '../state/settings.js';
+import { caps, functionals } from '../words/functionals.js';
+import { element, find, setText, whenChanged } from './dom.js';
+
+/** @import {CapName, FunctionalName} from '../../wasm/types.js' */
+/** @import {Action, Settings, State} from '../state/types.js' */
+
+/** @param {Settings['functional']} id @returns {Node[]} */
+function functionalNote(id) {
+  const words = functionals.find((functional) => functional.id === id);
+  if (!words) return [element('p', {}, 'A weighted sum of energies. Third-order ones carry the factor A, the area.')];
+  return [element('p', { class: 'formula' }, words.formula), element('p', {}, words.taste)];
+}
+
+/** As one would type it: 1e-6, 0.01. @param {number} value */
+function plainNumber(value) {
+  return value > 0 && value < 1e-3 ? value.toExponential() : String(value);
+}
+
+/**
+ * @param {HTMLElement} root
+ * @param {(action: Action) => void} dispatch
+ */
+export function createObjectiveView(root, dispatch) {
+  const listening = new AbortController();
+  const { signal } = listening;
+  /** @template {HTMLElement} T @param {string} name @returns {T} */
+  const field = (name) => /** @type {T} */ (find(root, `[name=${name}]`));
+  const functional = /** @type {HTMLSelectElement} */ (field('functional'));
+  const first = /** @type {HTMLSelectElement} */ (field('first'));
+  const last = /** @type {HTMLSelectElement} */ (field('last'));
+  const tolerance = /** @type {HTMLInputElement} */ (field('tolerance'));
+  const maxIterations = /** @type {HTMLInputElement} */ (field('max-iterations'));
+  const fields = /** @type {HTMLFieldSetElement} */ (find(root, '#settings-fields'));
+  const weights = find(root, '#weights');
+  const origin = find(root, '#origin');
+  const problem = find(root, '#settings-problem');
+
+  /** @param {Partial<Settings>} change */
+  const change = (change) => dispatch({ type: 'settingsChanged', change });
+  /** @param {EventTarget} target @param {() => void} work */
+  const onChange = (target, work) => target.addEventListener('change', work, { signal });
+
+  functional.append(
+    ...functionals.map(({ id, name, formula }) => element('option', { value: id, title: formula }, name)),
+    element('option', { value: 'blend' }, 'Blend …'),
+  );
+  onChange(functional, () => change({ functional: /** @type {Settings['functional']} */ (functional.value) }));
+
+  const weightInputs = new Map(
+    functionals.map(({ id, name, formula }) => {
+      const input = element('input', { type: 'number', min: '0', step: 'any', name: `weight-${id}` });
+      weights.append(element('label', { class: 'line', title: formula }, element('span', {}, name), input));
+      onChange(input, () => dispatch({ type: 'weightChanged', functional: id, weight: input.valueAsNumber }));
+      return /** @type {[FunctionalName, HTMLInputElement]} */ ([id, input]);
+    }),
+  );
+
+  const capInputs = caps.map(({ id, name, meaning }) => {
+    const input = element('input', { type: 'radio', name: 'cap', value: id });
+    find(root, '#caps').append(element('label', { title: meaning }, input, element('span', {}, name)));
+    onChange(input, () => change({ cap: /** @type {CapName} */ (id) }));
+    return input;
+  });
+
+  for (const select of [first, last]) {
+    select.append(
+      ...Array.from({ length: MAX_LEVEL + 1 }, (_, i) => element('option', { value: String(i) }, String(i))),
+    );
+    onChange(select, () => change({ levels: [Number(first.value), Number(last.value)] }));
+  }
+  onChange(tolerance, () => change({ tolerance: Number(tolerance.value.replace(',', '.') || NaN) }));
+  onChange(maxIterations, () => change({ maxIterations: maxIterations.valueAsNumber }));
+  const originInputs = /** @type {HTMLInputElement[]} */ ([...origin.querySelectorAll('input')]);
+  for (const input of originInputs) {
+    onChange(input, () => change({ origin: input.value === 'surface' ? 'surface' : 'cage' }));
+  }
+
+  const showSettings = whenChanged((/** @type {Settings} */ settings) => {
+    functional.value = settings.functional;
+    find(root, '#functional-words').replaceChildren(...functionalNote(settings.functional));
+    weights.hidden = settings.functional !== 'blend';
+    for (const [id, input] of weightInputs) {
+      if (input.valueAsNumber !== settings.weights[id]) input.value = String(settings.weights[id]);
+    }
+    for (const input of capInputs) input.checked = input.value === settings.cap;
+    setText(find(root, '#cap-words'), caps.find(({ id }) => id === settings.cap)?.meaning ?? '');
+    [first.value, last.value] = settings.levels.map(String);
+    if (Number.isFinite(settings.tolerance)) tolerance.value = plainNumber(settings.tolerance);
+    if (Number.isFinite(settings.maxIterations)) maxIterations.value = String(settings.maxIterations);
+    for (const input of originInputs) input.checked = input.value === settings.origin;
+    setText(problem, problemWith(settings) ?? '');
+  });
+
+  return {
+    /** @param {State} state */
+    update(state) {
+      showSettings(state.settings);
+      fields.disabled = !settingsAreFree(state);
+      origin.hidden = state.status !== 'ended' || !state.saved;
+    },
+    dispose: () => listening.abort(),
+  };
+}

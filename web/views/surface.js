@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The picture of the surface: hands meshes and shading to the scene, and turns keys into views of it.
+ */
+import { quantityOf } from '../colour/quantities.js';
+import { drawing } from '../scene/drawing.js';
+import { createScene } from '../scene/scene.js';
+import { find, whenChanged } from './dom.js';
+
+/** @import {Quantity} from '../colour/quantities.js' */
+/** @import {Range} from '../colour/range.js' */
+/** @import {Action, State, Surface} from '../state/types.js' */
+
+const TURN = Math.PI / 24;
+const ZOOM = 0.85;
+
+/**
+ * @param {HTMLElement} root
+ * @param {(action: Action) => void} dispatch
+ */
+export function createSurfaceView(root, dispatch) {
+  const canvas = /** @type {HTMLCanvasElement} */ (find(root, 'canvas'));
+  const listening = new AbortController();
+  const { signal } = listening;
+  const showCage = /** @type {HTMLInputElement} */ (find(root, '[name=show-cage]'));
+  const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  const speed = drawing();
+  const scene = speed === 'never' ? null : createScene(canvas, { calm, slow: speed === 'slow' });
+  find(root, '.no-webgl').hidden = Boolean(scene);
+  canvas.hidden = !scene;
+
+  showCage.addEventListener('change', () => dispatch({ type: 'viewChanged', change: { cage: showCage.checked } }), {
+    signal,
+  });
+  find(root, '#fit').addEventListener('click', () => dispatch({ type: 'fitPressed' }), { signal });
+
+  /** @type {Record<string, () => void>} */
+  const keys = {
+    ArrowLeft: () => scene?.controls.rotateLeft(TURN),
+    ArrowRight: () => scene?.controls.rotateLeft(-TURN),
+    ArrowUp: () => scene?.controls.rotateUp(TURN),
+    ArrowDown: () => scene?.controls.rotateUp(-TURN),
+    '+': () => scene?.controls.dollyIn(ZOOM),
+    '=': () => scene?.controls.dollyIn(ZOOM),
+    '-': () => scene?.controls.dollyOut(ZOOM),
+    f: () => dispatch({ type: 'fitPressed' }),
+  };
+  canvas.addEventListener(
+    'keydown',
+    (event) => {
+      const work = keys[event.key];
+      if (!work || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      work();
+    },
+    { signal },
+  );
+
+  const setSurface = whenChanged((/** @type {Surface} */ surface) => scene?.setSurface(surface.limit));
+  const setCage = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ visible) => {
+    if (visible) scene?.setCage(surface.control);
+    scene?.showCage(visible);
+    showCage.checked = visible;
+  });
+  // Generated shapes stand on the axis of their symmetry, z; what modelling programs write has y upwards.
+  const setUp = whenChanged((/** @type {boolean} */ generated) => scene?.setUp(generated ? 'z' : 'y'));
+  const shade = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) =>
+    scene?.shade(quantity, range),
+  );
+  let fits = 0;
+
+  return {
+    /** @param {State} state @param {Range | null} range of the quantity that the surface is shaded by */
+    update(state, range) {
+      if (!state.surface) return;
+      setUp(state.cage?.source.kind === 'generated');
+      setSurface(state.surface);
+      setCage(state.surface, state.view.cage);
+      shade(quantityOf(state.view.shading), range);
+      if (state.fits !== fits) {
+        scene?.fit(state.surface.limit.positions, fits === 0);
+        fits = state.fits;
+      }
+    },
+    /** After a change of theme. */
+    recolour() {
+      scene?.setLineColour(getComputedStyle(root).getPropertyValue('color'));
+    },
+    dispose() {
+      listening.abort();
+      scene?.dispose();
+    },
+  };
+}

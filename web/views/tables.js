@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The two tables: all energies of the surface by the reporting rule, and the levels that have ended.
+ */
+import { objectiveName, objectiveValue } from '../state/select.js';
+import { functionals, stopWords } from '../words/functionals.js';
+import { duration, significant, whole, withError } from '../words/numbers.js';
+import { element, setText, whenChanged } from './dom.js';
+
+/** @import {Energies} from '../../wasm/types.js' */
+/** @import {Measurement, Settings, State} from '../state/types.js' */
+
+const DIVERGES = 'Third-order energies are infinite at extraordinary vertices without a cap.';
+
+/**
+ * A number for a table: with an error bar where there is one, and the reason where there is none.
+ * @param {number} value
+ * @param {number | null} error
+ * @returns {Node[]}
+ */
+function cell(value, error) {
+  if (Number.isNaN(value)) return [element('span', { class: 'muted', title: DIVERGES }, 'diverges')];
+  if (error === null) return [document.createTextNode(significant(value))];
+  const parts = withError(value, error);
+  const bar = element('span', { class: 'error', title: 'Quadrature error' }, ` ± ${parts.error}`);
+  return parts.error ? [document.createTextNode(parts.value), bar] : [document.createTextNode(parts.value)];
+}
+
+/**
+ * @param {string} name
+ * @param {string} formula
+ * @param {Node[]} now
+ * @param {Node[]} start
+ * @param {boolean} objective
+ */
+function energyRow(name, formula, now, start, objective) {
+  return element(
+    'tr',
+    objective ? { class: 'objective' } : {},
+    element('th', { scope: 'row', title: formula }, name),
+    element('td', { class: 'muted' }, ...start),
+    element('td', {}, ...now),
+  );
+}
+
+/**
+ * @param {Settings} settings of the run that the energies are of
+ * @param {Energies} now
+ * @param {Energies | null} start null when the surface is still that of the start
+ * @returns {HTMLTableRowElement[]}
+ */
+function energyRows(settings, now, start) {
+  const blend = settings.functional === 'blend';
+  const rows = functionals.map(({ id, name, formula }) => {
+    const objective = settings.functional === id;
+    const error = objective ? now.quadratureError : null;
+    return energyRow(name, formula, cell(now[id], error), start ? cell(start[id], null) : [], objective);
+  });
+  if (blend) {
+    const [value, first] = [now, start].map((energies) => (energies ? objectiveValue(settings, energies) : null));
+    rows.unshift(
+      energyRow(
+        'Blend',
+        objectiveName(settings),
+        cell(value ?? NaN, now.quadratureError),
+        first === null ? [] : cell(first, null),
+        true,
+      ),
+    );
+  }
+  /** @param {Energies | null} energies */
+  const gaussian = (energies) => (energies ? cell(energies.gaussian / (4 * Math.PI), null) : []);
+  rows.push(
+    energyRow('Area A', '∫ dA, in length²', cell(now.area, null), start ? cell(start.area, null) : [], false),
+    energyRow('∫ K dA / 4π', '1 − genus, for one component', gaussian(now), gaussian(start), false),
+  );
+  return rows;
+}
+
+/** @param {HTMLElement} root */
+export function createEnergiesView(root) {
+  const body = element('tbody');
+  const startHead = element('th', { scope: 'col' }, 'Start');
+  const nowHead = element('th', { scope: 'col' }, 'Now');
+  const head = element('tr', {}, element('td'), startHead, nowHead);
+  const table = element('table', { class: 'energies' }, element('thead', {}, head), body);
+  const note = element('p', { class: 'note' });
+  root.append(table, note);
+
+  const show = whenChanged(
+    (
+      /** @type {Measurement | null} */ latest,
+      /** @type {Measurement | null} */ first,
+      /** @type {Settings} */ settings,
+      /** @type {number} */ evaluations,
+    ) => {
+      table.hidden = !latest;
+      if (!latest) return setText(note, 'They appear with a surface.');
+      const moved = first !== null && first !== latest;
+      head.hidden = !moved;
+      table.classList.toggle('moved', moved);
+      body.replaceChildren(...energyRows(settings, latest.energies, moved ? first.energies : null));
+      const stale = evaluations > latest.evaluations;
+      setText(note, stale ? `As of evaluation ${whole(latest.evaluations)}.` : '');
+    },
+  );
+
+  return {
+    /** @param {State} state */
+    update(state) {
+      const evaluations = state.status === 'running' ? (state.samples.at(-1)?.evaluation ?? 0) : 0;
+      const stale = state.latest && evaluations > state.latest.evaluations;
+      show(state.latest, state.first, state.runSettings, stale ? Infinity : 0);
+    },
+    dispose: () => root.replaceChildren(),
+  };
+}
+
+/** @param {HTMLElement} root */
+export function createLevelsView(root) {
+  const body = element('tbody');
+  const heads = ['Level', 'Patches', 'Energy', 'Evaluations', 'Ended because'].map((name) =>
+    element('th', { scope: 'col' }, name),
+  );
+  root.append(element('table', { class: 'levels' }, element('thead', {}, element('tr', {}, ...heads)), body));
+
+  const show = whenChanged((/** @type {State['levels']} */ levels) => {
+    const section = root.closest('section');
+    if (section) section.hidden = !levels.length;
+    body.replaceChildren(
+      ...levels.map((report) => {
+        const difference = Math.abs(report.energyReported - report.energy);
+        const { value } = withError(report.energyReported, difference);
+        return element(
+          'tr',
+          { title: `${whole(report.unknowns)} unknowns, ${duration(report.seconds)}` },
+          element('td', {}, String(report.level)),
+          element('td', {}, whole(report.patches)),
+          element('td', {}, Number.isNaN(report.energyReported) ? 'diverges' : value),
+          element('td', {}, whole(report.evaluations)),
+          element('td', {}, stopWords[report.stop] ?? report.stop),
+        );
+      }),
+    );
+  });
+
+  return {
+    /** @param {State} state */
+    update: (state) => show(state.levels),
+    dispose: () => root.replaceChildren(),
+  };
+}

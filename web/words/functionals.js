@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the functionals, caps, stop reasons and phases are called on the page.
+ */
+
+/** @import {CapName, FunctionalName, StopReason} from '../../wasm/types.js' */
+
+/**
+ * @typedef {object} FunctionalWords
+ * @property {FunctionalName} id
+ * @property {string} name
+ * @property {string} formula
+ * @property {string} taste one line: what its minimizers are like
+ * @property {boolean} thirdOrder integrates curvature derivatives, and carries the factor area A
+ */
+
+/** @type {FunctionalWords[]} */
+export const functionals = [
+  {
+    id: 'bending',
+    name: 'Bending energy',
+    formula: '∫ κ₁² + κ₂² dA',
+    taste: 'Penalizes curvature itself: round and economical.',
+    thirdOrder: false,
+  },
+  {
+    id: 'willmore',
+    name: 'Willmore energy',
+    formula: '∫ H² dA',
+    taste: 'A quarter of bending, up to a constant of the topology: the same minimizers.',
+    thirdOrder: false,
+  },
+  {
+    id: 'mvs',
+    name: 'Minimum variation (MVS)',
+    formula: 'A ∫ (dκ₁/de₁)² + (dκ₂/de₂)² dA',
+    taste: 'Each principal curvature constant along its own line: spheres, tori and Dupin cyclides are free.',
+    thirdOrder: true,
+  },
+  {
+    id: 'mvs_cross',
+    name: 'MVS with cross terms',
+    formula: 'A ∫ |∇κ₁|² + |∇κ₂|² dA',
+    taste: 'Both principal curvatures constant in every direction: only spheres are free.',
+    thirdOrder: true,
+  },
+  {
+    id: 'mehlum_tarrou',
+    name: 'Mehlum–Tarrou',
+    formula: 'A ∫ mean over directions of (dκₙ/ds)² dA',
+    taste: 'The variation of normal curvature, averaged over all directions.',
+    thirdOrder: true,
+  },
+  {
+    id: 'second_form_variation',
+    name: 'Variation of the second form',
+    formula: 'A ∫ |∇II|² dA',
+    taste: 'The covariant derivative of the second fundamental form: smooth even at umbilics.',
+    thirdOrder: true,
+  },
+];
+
+/** @param {FunctionalName} id @returns {FunctionalWords} */
+export function functionalWords(id) {
+  const found = functionals.find((functional) => functional.id === id);
+  if (!found) throw new Error(`no functional is called ${id}`);
+  return found;
+}
+
+/** @type {Array<{id: CapName, name: string, meaning: string}>} */
+export const caps = [
+  {
+    id: 'smooth',
+    name: 'Smooth',
+    meaning: 'Blends in a polynomial over two rings around each extraordinary vertex. Energies converge.',
+  },
+  {
+    id: 'flat',
+    name: 'Flat',
+    meaning: 'The method of the paper: blends in the tangent plane over one ring. Energies depend on the cage.',
+  },
+  {
+    id: 'none',
+    name: 'None',
+    meaning: 'The bare limit surface. Right for bending and Willmore only; curvature variation diverges.',
+  },
+];
+
+/** @type {Record<StopReason | 'interrupted', string>} */
+export const stopWords = {
+  converged: 'converged',
+  max_iterations: 'iteration limit',
+  line_search_stalled: 'no better step found',
+  round_off: 'round-off reached',
+  not_finite: 'not finite',
+  degenerate: 'surface collapsed',
+  cancelled: 'cancelled',
+  interrupted: 'interrupted',
+};

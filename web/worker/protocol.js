@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The messages between page and worker: imperative in, past tense out. Plain objects; buffers are transferred.
+ * `run` numbers what a message is about: each `open` begins a run under a new number, and the worker keeps the old one
+ * until the new one has opened.
+ */
+
+/** @import {CageCounts, Energies, LevelReport} from '../../wasm/types.js' */
+/** @import {Mesh, MinimizerOptions, Progress, StopReason} from '../../wasm/types.js' */
+
+/**
+ * Where a cage comes from: the text of an OBJ or OFF file, or a generator's name and parameters.
+ * @typedef {{kind: 'text', name: string, text: string | Uint8Array} | {kind: 'generated', name: string, family: 'hub'
+ *   | 'flag', thickness: number}} Source
+ */
+
+/**
+ * Reads or makes the cage and shows its surface. Answers `opened`, `surfaced`, `measured`, or `failed`.
+ * @typedef {{type: 'open', run: number, source: Source, options: MinimizerOptions}} Open
+ *
+ * Minimizes until told otherwise. Answers `stepped`, `surfaced`, `saved`, `levelEnded`, at last `ended`.
+ * @typedef {{type: 'optimize', run: number}} Optimize
+ *
+ * One energy evaluation, then `paused`.
+ * @typedef {{type: 'step', run: number}} Step
+ * @typedef {{type: 'pause', run: number}} Pause
+ * @typedef {{type: 'cancel', run: number}} Cancel
+ *
+ * Answers `exported` with the limit mesh as OBJ.
+ * @typedef {{type: 'export', run: number}} Export
+ *
+ * Asks for a sign of life: `ponged`.
+ * @typedef {{type: 'ping'}} Ping
+ * @typedef {Open | Optimize | Step | Pause | Cancel | Export | Ping} Command
+ */
+
+/**
+ * The worker has loaded the core.
+ * @typedef {{type: 'started', version: string, cages: string[]}} Started
+ *
+ * @typedef {{type: 'opened', run: number, counts: CageCounts}} Opened
+ *
+ * The surface as it is now; `evaluations` over all levels so far.
+ * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: Mesh, control: Mesh}} Surfaced
+ *
+ * Its energies by the reporting rule.
+ * @typedef {{type: 'measured', run: number, evaluations: number, energies: Energies}} Measured
+ *
+ * Samples since the last message, SAMPLE_SIZE numbers each: evaluations over all levels, energy, gradient norm,
+ * level.
+ * @typedef {{type: 'stepped', run: number, progress: Progress, samples: Float64Array}} Stepped
+ *
+ * @typedef {{type: 'levelEnded', run: number, report: LevelReport}} LevelEnded
+ * @typedef {{type: 'paused', run: number, progress: Progress}} Paused
+ * @typedef {{type: 'ended', run: number, stop: StopReason, progress: Progress}} Ended
+ *
+ * The control mesh as OBJ with full digits, so that nothing is lost with the worker. `level` counts from the source.
+ * @typedef {{type: 'saved', run: number, level: number, evaluations: number, obj: string}} Saved
+ *
+ * @typedef {{type: 'exported', run: number, obj: string}} Exported
+ * @typedef {{type: 'ponged'}} Ponged
+ *
+ * `input`: what the user's file or options did wrong. `internal`: the worker is of no further use.
+ * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
+ * @typedef {Started | Opened | Surfaced | Measured | Stepped | LevelEnded | Paused | Ended | Saved | Exported |
+ *   Ponged | Failed} Message
+ */
+
+/** Numbers of one sample in `stepped`. */
+export const SAMPLE_SIZE = 4;
+
+/**
+ * The buffers of a message that are handed over rather than copied.
+ * @param {Message} message
+ * @returns {ArrayBuffer[]}
+ */
+export function transferables(message) {
+  /** @type {ArrayBufferView[]} */
+  let views = [];
+  if (message.type === 'surfaced') {
+    views = [message.limit, message.control].flatMap((mesh) => Object.values(mesh));
+  } else if (message.type === 'stepped') {
+    views = [message.samples];
+  }
+  return views.map((view) => /** @type {ArrayBuffer} */ (view.buffer)).filter((buffer) => buffer.byteLength > 0);
+}
