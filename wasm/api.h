@@ -3,9 +3,9 @@
  * \file
  * The C contract of umbilic, the same for the WebAssembly module and the native library.
  *
- * Handles are opaque; every function that can fail returns an umbilic_status and leaves its outputs untouched on failure. The words
- * of the last failure are copied with umbilic_copy_message. Nothing here is thread-safe across calls on one handle.
- * Pointers returned by the getters point into the handle and live until the next call on it.
+ * Handles are opaque; every function that can fail returns an umbilic_status and leaves its outputs untouched on
+ * failure. The words of the last failure are copied with umbilic_copy_message. Nothing here is thread-safe across calls
+ * on one handle. Pointers returned by the getters point into the handle and live until the next call on it.
  */
 #ifndef UMBILIC_API_H
 #define UMBILIC_API_H
@@ -23,7 +23,7 @@ typedef struct umbilic_mesh umbilic_mesh;
 
 typedef enum {
   UMBILIC_OK = 0,
-  UMBILIC_BAD_INPUT = 1,    /* the user's cage or options; the message says where and why */
+  UMBILIC_BAD_INPUT = 1, /* the user's cage or options; the message says where and why */
   UMBILIC_OUT_OF_MEMORY = 2
 } umbilic_status;
 
@@ -53,8 +53,8 @@ void umbilic_cage_counts(const umbilic_cage* cage, int32_t counts[5]);
 /* ---- one run ---- */
 
 /**
- * weights: six, in the order of umbilic_functional_names. cap: 0 none, 1 flat, 2 smooth. levels first..last count Catmull-Clark steps from
- * the cage and are raised when it needs more. The minimizer keeps no reference to the cage.
+ * weights: six, in the order of umbilic_functional_names. cap: 0 none, 1 flat, 2 smooth. levels first..last count
+ * Catmull-Clark steps from the cage and are raised when it needs more. The minimizer keeps no reference to the cage.
  */
 umbilic_status umbilic_minimizer_create(const umbilic_cage* cage, const double weights[6], int32_t cap,
                                         int32_t first_level, int32_t last_level, int32_t max_iterations,
@@ -62,27 +62,30 @@ umbilic_status umbilic_minimizer_create(const umbilic_cage* cage, const double w
 
 void umbilic_minimizer_destroy(umbilic_minimizer* minimizer);
 
-/** Does up to `units` energy evaluations (or parts of a level's preparation of no greater cost); 1 when the run is done. */
+/** Does up to `units` energy evaluations (or parts of a level's preparation of no greater cost); 1 when the run is
+ * done. */
 int32_t umbilic_minimizer_step(umbilic_minimizer* minimizer, int32_t units);
 
 /** Ends the run; what there is so far is its result. */
 void umbilic_minimizer_cancel(umbilic_minimizer* minimizer);
 
 /**
- * progress: phase (0 prepare, 1 minimize, 2 report, 3 done), level, iterations, evaluations (both in this level), evaluations in all,
- * energy of the best surface (NaN before the first), its gradient norm, predicted decrease (NaN before the first iteration).
+ * progress: phase (0 prepare, 1 minimize, 2 report, 3 done), level, iterations, evaluations (both in this level),
+ * evaluations in all, energy of the best surface (NaN before the first), its gradient norm, predicted decrease (NaN
+ * before the first iteration).
  */
 void umbilic_minimizer_progress(const umbilic_minimizer* minimizer, double progress[8]);
 
 /** Number of levels ended so far. */
 int32_t umbilic_minimizer_level_count(const umbilic_minimizer* minimizer);
 
-/** level: level, patches, unknowns, energy, energy_reported, iterations, evaluations, seconds. Returns the stop reason, static storage. */
+/** level: level, patches, unknowns, energy, energy_reported, iterations, evaluations, seconds. Returns the stop reason,
+ * static storage. */
 const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t index, double level[8]);
 
 /**
- * energies of the best surface by the reporting rule: the six functionals in order, area, Gaussian curvature integral, quadrature error. NaN where
- * a quantity diverges.
+ * energies of the best surface by the reporting rule: the six functionals in order, area, Gaussian curvature integral,
+ * quadrature error. NaN where a quantity diverges.
  */
 void umbilic_minimizer_energies(const umbilic_minimizer* minimizer, double energies[9]);
 
@@ -99,11 +102,11 @@ void umbilic_mesh_destroy(umbilic_mesh* mesh);
 
 /** counts: vertices, faces, corners, edges, triangles. */
 void umbilic_mesh_counts(const umbilic_mesh* mesh, int32_t counts[5]);
-const float* umbilic_mesh_positions(const umbilic_mesh* mesh);     /* 3 per vertex */
-const float* umbilic_mesh_normals(const umbilic_mesh* mesh);       /* 3 per vertex, or null */
-const float* umbilic_mesh_curvatures(const umbilic_mesh* mesh);    /* kappa1 >= kappa2 per vertex, or null */
-const uint32_t* umbilic_mesh_triangles(const umbilic_mesh* mesh);  /* 3 per triangle */
-const uint32_t* umbilic_mesh_edges(const umbilic_mesh* mesh);      /* 2 per edge, each edge once */
+const float* umbilic_mesh_positions(const umbilic_mesh* mesh);    /* 3 per vertex */
+const float* umbilic_mesh_normals(const umbilic_mesh* mesh);      /* 3 per vertex, or null */
+const float* umbilic_mesh_curvatures(const umbilic_mesh* mesh);   /* kappa1 >= kappa2 per vertex, or null */
+const uint32_t* umbilic_mesh_triangles(const umbilic_mesh* mesh); /* 3 per triangle */
+const uint32_t* umbilic_mesh_edges(const umbilic_mesh* mesh);     /* 2 per edge, each edge once */
 /** OBJ text with full digits; `length` receives its bytes. */
 const char* umbilic_mesh_obj(umbilic_mesh* mesh, size_t* length);
 

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "cage/text.h"
 #include "cage/write.h"
@@ -24,17 +25,17 @@ struct Arguments {
   std::string cage;
   Objective objective;
   RunOptions options;
-  std::string output;  ///< as all outputs: empty when not wanted
-  std::string limit_mesh;
+  std::optional<std::string> output;
+  std::optional<std::string> limit_mesh;
+  std::optional<std::string> report;
   int density = 4;
-  std::string report;
   bool quiet = false;
 
   /// The outputs that are wanted.
   std::vector<std::string> outputs() const {
     std::vector<std::string> wanted;
-    for (const std::string& path : {output, limit_mesh, report}) {
-      if (!path.empty()) wanted.push_back(path);
+    for (const auto& path : {output, limit_mesh, report}) {
+      if (path) wanted.push_back(*path);
     }
     return wanted;
   }
@@ -50,8 +51,7 @@ std::optional<std::string> shared_output(const std::vector<std::string>& outputs
   return std::nullopt;
 }
 
-void minimize(Run& run, bool quiet) {
-  const InterruptWatch watch;
+void minimize(Run& run, const InterruptWatch& watch, bool quiet) {
   ProgressLine line(quiet);
   while (!run.step(1)) {
     line.update(run);
@@ -79,9 +79,9 @@ std::string table(const CageFile& input, const Arguments& arguments, const Run& 
 /// Writes everything that can be written, whatever fails.
 int write_results(const CageFile& input, const Arguments& arguments, const Run& run) {
   int exit_code = kEnded;
-  const auto write = [&](const std::string& path, const auto& text) {
-    if (path.empty()) return;
-    if (const auto error = write_file(path, text())) exit_code = fail(kCannotWrite, error->message);
+  const auto write = [&](const std::optional<std::string>& path, const auto& text) {
+    if (!path) return;
+    if (const auto error = write_file(*path, text())) exit_code = fail(kCannotWrite, error->message);
   };
   write(arguments.output, [&] { return write_obj(run.control_mesh()); });
   write(arguments.limit_mesh, [&] {
@@ -106,7 +106,8 @@ int run(const Arguments& arguments) {
   }
   auto run = Run::create(input->cage, arguments.options);
   if (!run) return fail(kBadInput, fmt::format("{}: {}", input->name, run.error().message));
-  minimize(*run, arguments.quiet);
+  const InterruptWatch watch;  // also while the results are written: they are what the run was for
+  minimize(*run, watch, arguments.quiet);
   return write_results(*input, arguments, *run);
 }
 
@@ -157,9 +158,15 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
   add_objective_options(*command, arguments->objective);
   add_cap_option(*command, arguments->options.cap);
   add_level_options(*command, arguments->options);
-  command->add_option("-o,--output", arguments->output, "Write the final control mesh")->type_name("OUT.obj");
-  command->add_option("--limit-mesh", arguments->limit_mesh, "Write the limit surface as quads with normals")
-      ->type_name("OUT.obj");
+  const auto add_output = [&](const char* name, std::optional<std::string>& output, const char* type,
+                              const char* what) {
+    command
+        ->add_option_function<std::string>(
+            name, [&output](const std::string& path) { output = path; }, what)
+        ->type_name(type);
+  };
+  add_output("-o,--output", arguments->output, "OUT.obj", "Write the final control mesh");
+  add_output("--limit-mesh", arguments->limit_mesh, "OUT.obj", "Write the limit surface as quads with normals");
   const auto parse_density = [](const std::string& text) { return parse_count(text, 1, 64); };
   command
       ->add_option_function<std::string>(
@@ -168,8 +175,7 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
           "Quads of the limit mesh along each edge of a patch, 1 to 64 [4]")
       ->type_name("N")
       ->check(checked(parse_density));
-  command->add_option("--report", arguments->report, "Write energies, levels and stop reasons as JSON")
-      ->type_name("OUT.json");
+  add_output("--report", arguments->report, "OUT.json", "Write energies, levels and stop reasons as JSON");
   command->add_flag("-q,--quiet", arguments->quiet, "No progress on standard error");
   command->footer(
       "Where a result goes to - (standard output), no table is printed. Ctrl-C ends the run and keeps the best\n"

@@ -23,10 +23,11 @@ describe.each(['-o', '--limit-mesh', '--report'])('%s', (option) => {
     ['missing/out', 'No such file or directory'],
     ['file/out', 'Not a directory'],
     ['folder', 'Is a directory'],
+    ['', 'No such file or directory'],
   ];
   test.each(impossible)('to %s ends with 4 before anything is minimized', (file, reason) => {
     const { code, out, err } = umbilic([...run, option, file], scratch);
-    expect({ code, out, err }).toEqual({ code: 4, out: '', err: `umbilic: cannot write ${file}: ${reason}\n` });
+    expect({ code, out, err }).toEqual({ code: 4, out: '', err: `umbilic: cannot write ${file || "''"}: ${reason}\n` });
   });
 
   test('to a full device ends with 4 after the run, and the table is still shown', () => {

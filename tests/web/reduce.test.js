@@ -55,6 +55,17 @@ describe('the page', () => {
 });
 
 describe('a file', () => {
+  test('is not lost when a setting changes before it has opened', () => {
+    const change = { type: /** @type {const} */ ('settingsChanged'), change: { cap: /** @type {const} */ ('flat') } };
+    const opening = after(resting(), drop('spot.obj'), change);
+    expect(opening.opening).toMatchObject({
+      run: 3,
+      purpose: 'cage',
+      source: { kind: 'text', name: 'spot.obj' },
+      settings: { cap: 'flat' },
+    });
+  });
+
   test('is opened beside what is there, which stays until it has opened', () => {
     const opening = after(resting(), drop('spot.obj'));
     expect(opening.opening).toMatchObject({ run: 2, purpose: 'cage', source: { kind: 'text', name: 'spot.obj' } });

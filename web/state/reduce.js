@@ -57,8 +57,10 @@ function openGenerated(state) {
 
 /** The cage as it was opened, with the settings of now. @param {State} state @returns {State} */
 function openPreview(state) {
-  if (!state.cage || problemWith(state.settings)) return state;
-  return beginOpening(state, { source: state.cage.source, purpose: 'preview', then: 'hold', levelOffset: 0 });
+  const pending = state.opening?.purpose === 'cage' ? state.opening : null;
+  const source = pending?.source ?? state.cage?.source;
+  if (!source || problemWith(state.settings)) return state;
+  return beginOpening(state, { source, purpose: pending?.purpose ?? 'preview', then: 'hold', levelOffset: 0 });
 }
 
 /** Whether settings may be changed: not under a run that uses them. @param {State} state */
