@@ -18,7 +18,7 @@ constexpr double kGradientTolerance = 1e-7;
 
 /// Steps of the difference quotient, relative to the cage's extent: the best of them counts, since no step suits all
 /// energies.
-constexpr std::array kSteps{1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6};
+constexpr std::array kSteps{1e-3, 1e-4, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8};
 
 /// Fourth-order central difference of f at 0.
 template <class F>
