@@ -5,6 +5,7 @@
 import { Cage, InputError, Minimizer, cageNames, load, version } from '../../wasm/umbilic.js';
 import { transferables } from './protocol.js';
 import { createSession } from './session.js';
+import { warmUp } from './warm_up.js';
 
 /** @import {Command, Message} from './protocol.js' */
 
@@ -39,6 +40,7 @@ try {
   obey = createSession({ core: { Cage, InputError, Minimizer }, post, yieldThen, now: () => performance.now() });
   post({ type: 'started', version: version(), cages: cageNames() });
   early.forEach(obey);
+  warmUp({ Cage, Minimizer }, yieldThen);
 } catch (error) {
   const message = error instanceof Error ? error.message : String(error);
   post({ type: 'failed', run: 0, kind: 'internal', message });
