@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <utility>
 
 #include "surface/blend.h"
@@ -110,7 +111,9 @@ void CapSector::build_fit() {
 }
 
 const CapSector& cap_sector(int valence, CapShape shape) {
-  static std::map<std::pair<int, CapShape>, CapSector> sectors;
+  static std::mutex mutex;
+  static std::map<std::pair<int, CapShape>, CapSector> sectors;  // never moves what it holds
+  const std::lock_guard lock(mutex);
   const std::pair key{valence, shape};
   const auto found = sectors.find(key);
   return found != sectors.end() ? found->second : sectors.try_emplace(key, valence, shape).first->second;

@@ -2,8 +2,8 @@
 /// \file
 /// Jets of the whole surface, block by block, and the pullback of their adjoints to the control points.
 ///
-/// A jet holds the derivatives of order 1 to 3 in the order of surface/derivatives.h. Blocks live in one buffer that is
-/// reused: nothing is allocated during an evaluation, and the memory does not grow with the mesh.
+/// A jet holds the derivatives of order 1 to 3 in the order of surface/derivatives.h. All blocks of an evaluation live
+/// in one buffer, small enough for the cache, that does not grow with the mesh.
 #pragma once
 
 #include <functional>
