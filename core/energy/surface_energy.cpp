@@ -71,8 +71,9 @@ void integrate(const double* weights, const JetBlock& block, Sums& sums) {
   constexpr int kSecondChannel = 0, kThirdChannel = kSecond ? 1 : 0, kAreaChannel = kThirdChannel + 1;
   for (int p = 0; p < block.patches; ++p) {
     const std::size_t at = static_cast<std::size_t>(3) * samples * p;
+    const Lanes multiplicity = splat(block.multiplicities[p]);
     for (int s = 0; s < samples; s += kLaneCount) {
-      const Lanes weight = load_lanes(block.weights + s);
+      const Lanes weight = multiplicity * load_lanes(block.weights + s);
       const Jet<Lanes> jet = load_jet<kThird>(block.jets + at * derivatives + s, samples, derivatives);
       const CurvatureFrame<Lanes, kThird> frame(jet);
       const Curvature<Lanes>& k = frame.value();
@@ -152,11 +153,12 @@ SurfaceIntegrals surface_integrals(const JetEvaluator& jets, const Points& contr
   Lanes sums[kFunctionalCount] = {}, area{}, gaussian{};
   const auto visit = [&](const JetBlock& block) {
     for (int p = 0; p < block.patches; ++p) {
+      const Lanes multiplicity = splat(block.multiplicities[p]);
       const double* begin = block.jets + static_cast<std::size_t>(3) * block.samples * p * block.derivatives;
       for (int s = 0; s < block.samples; s += kLaneCount) {
         const Jet<Lanes> jet = load_jet<true>(begin + s, block.samples, block.derivatives);
         const Curvature<Lanes> k = CurvatureFrame<Lanes, true>(jet).value();
-        const Lanes measure = load_lanes(block.weights + s) * k.area;
+        const Lanes measure = multiplicity * load_lanes(block.weights + s) * k.area;
         const PrincipalAngle<Lanes> angle(k);
         Curvature<Lanes> unused{};
         sums[kBending] += measure * bending_density(k, Lanes{}, unused);

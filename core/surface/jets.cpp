@@ -93,7 +93,7 @@ class Pass {
     for (int begin = 0; begin < group.set.count(); begin += step) {
       const int patches = std::min(step, group.set.count() - begin);
       group.regular ? regular_jets(group, begin, patches) : capped_jets(group, begin, patches);
-      visit({patches, group.samples, derivatives_, group.weights, jets_.data(),
+      visit({patches, group.samples, derivatives_, group.weights, group.set.multiplicities.data() + begin, jets_.data(),
              channels_.empty() ? nullptr : adjoints_.data()});
       for (int channel = 0; channel < static_cast<int>(channels_.size()); ++channel) {
         group.regular ? pull_back_regular(group, begin, patches, channel)

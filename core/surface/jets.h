@@ -24,9 +24,10 @@ struct AdjointChannel {
 /// adjoints.
 struct JetBlock {
   int patches;
-  int samples;            ///< per patch, a multiple of kLaneCount; surplus ones have weight 0
-  int derivatives;        ///< in `jets`
-  const double* weights;  ///< of each sample of a patch, in the measure du dv
+  int samples;                   ///< per patch, a multiple of kLaneCount; surplus ones have weight 0
+  int derivatives;               ///< in `jets`
+  const double* weights;         ///< of each sample of a patch, in the measure du dv
+  const double* multiplicities;  ///< of each patch: how many it stands for
   const double* jets;
   double* const* adjoints;  ///< of each channel, to be overwritten; null without channels
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 namespace umbilic {
 namespace {
@@ -77,20 +78,52 @@ std::vector<int> faces_around(const PolygonMesh& mesh, int vertex, int rings) {
   return faces;
 }
 
+/// Hands out each orbit once.
+class Representatives {
+ public:
+  explicit Representatives(const Orbits& orbits) : orbits_(orbits), taken_(orbits.sizes.size(), false) {}
+
+  /// The size of the face's orbit, or 0 where another face stands for it.
+  int take(int face) {
+    const int orbit = orbits_.of[face];
+    if (taken_[orbit]) return 0;
+    taken_[orbit] = true;
+    return orbits_.sizes[orbit];
+  }
+
+ private:
+  const Orbits& orbits_;
+  std::vector<bool> taken_;
+};
+
+Orbits single_faces(const PolygonMesh& mesh) {
+  Orbits orbits{std::vector<int>(mesh.face_count()), std::vector<int>(mesh.face_count(), 1)};
+  std::iota(orbits.of.begin(), orbits.of.end(), 0);
+  return orbits;
+}
+
 }  // namespace
 
-PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap)
+PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap) : PatchLayout(mesh, cap, single_faces(mesh)) {}
+
+PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& face_orbits)
     : cap_(cap), control_count_(mesh.vertex_count()), point_count_(control_count_), face_count_(mesh.face_count()) {
-  find_caps(mesh);
+  Representatives representatives(face_orbits);
   std::vector<bool> capped(mesh.face_count(), false);
-  for (int c = 0; c < static_cast<int>(caps_.size()); ++c) {
-    const Cap& here = caps_[c];
+  for (Cap& here : find_caps(mesh)) {
+    here.first_coefficient = point_count_;
     const RingNet& net = cap_sector(here.valence, here.shape).net();
     const std::vector<int> spoke = spokes(mesh, here.vertex);
+    bool needed = false;
     for (int cell = 0; cell < cell_count(here.shape); ++cell) {
       const PatchKind kind{here.valence, here.shape, cell};
       const PatchColumns columns = patch_columns(kind);
       for (int sector = 0; sector < here.valence; ++sector) {
+        const int h = sector_cell(mesh, spoke[sector], cell % 2, cell / 2);
+        capped[mesh.face(h)] = true;
+        const int multiplicity = representatives.take(mesh.face(h));
+        if (multiplicity == 0) continue;
+        needed = true;
         std::vector<int> points;
         for (const int i : columns.net) {
           points.push_back(here.net[i == 0 ? 0 : 1 + (i - 1 + 12 * sector) % (net.size() - 1)]);
@@ -99,19 +132,23 @@ PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap)
         for (int i = 0; i < columns.coefficients; ++i) {
           points.push_back(here.first_coefficient + sector * columns.coefficients + i);
         }
-        const int h = sector_cell(mesh, spoke[sector], cell % 2, cell / 2);
-        capped[mesh.face(h)] = true;
-        add_patch(kind, h, c, points);
+        add_patch(kind, h, static_cast<int>(caps_.size()), points, multiplicity);
       }
     }
+    if (!needed) continue;
+    point_count_ += here.valence * coefficient_count(here.shape);
+    caps_.push_back(std::move(here));
   }
   for (int f = 0; f < mesh.face_count(); ++f) {
-    if (!capped[f]) add_patch({}, mesh.halfedge(f, 0), -1, gather_regular(mesh, mesh.halfedge(f, 0)));
+    if (capped[f]) continue;
+    const int multiplicity = representatives.take(f);
+    if (multiplicity > 0)
+      add_patch({}, mesh.halfedge(f, 0), -1, gather_regular(mesh, mesh.halfedge(f, 0)), multiplicity);
   }
   std::sort(sets_.begin(), sets_.end(), [](const PatchSet& a, const PatchSet& b) { return a.kind < b.kind; });
 }
 
-void PatchLayout::find_caps(const PolygonMesh& mesh) {
+std::vector<Cap> PatchLayout::find_caps(const PolygonMesh& mesh) const {
   std::vector<int> extraordinary;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.is_extraordinary(v)) extraordinary.push_back(v);
@@ -120,6 +157,7 @@ void PatchLayout::find_caps(const PolygonMesh& mesh) {
   for (const int v : extraordinary) {
     for (const int f : faces_around(mesh, v, 2)) ++covered[f];
   }
+  std::vector<Cap> caps;
   for (const int v : extraordinary) {
     CapShape shape = cap_ == CapKind::kNone ? CapShape::kBare : CapShape::kFlat;
     if (cap_ == CapKind::kSmooth) {
@@ -128,18 +166,19 @@ void PatchLayout::find_caps(const PolygonMesh& mesh) {
       shape = room ? CapShape::kTwoRing : CapShape::kOneRing;
     }
     const int valence = mesh.valence(v);
-    caps_.push_back(
-        {v, valence, shape, gather_net(mesh, v, cap_sector(valence, shape).net(), control_rings(shape)), point_count_});
-    point_count_ += valence * coefficient_count(shape);
+    caps.push_back({v, valence, shape, gather_net(mesh, v, cap_sector(valence, shape).net(), control_rings(shape)), 0});
   }
+  return caps;
 }
 
-void PatchLayout::add_patch(PatchKind kind, int halfedge, int cap, const std::vector<int>& points) {
+void PatchLayout::add_patch(PatchKind kind, int halfedge, int cap, const std::vector<int>& points,
+                            double multiplicity) {
   auto set = std::find_if(sets_.begin(), sets_.end(), [&](const PatchSet& s) { return s.kind == kind; });
-  if (set == sets_.end()) set = sets_.insert(set, {kind, static_cast<int>(points.size()), {}, {}, {}});
+  if (set == sets_.end()) set = sets_.insert(set, {kind, static_cast<int>(points.size()), {}, {}, {}, {}});
   set->halfedges.push_back(halfedge);
   set->points.insert(set->points.end(), points.begin(), points.end());
   if (cap >= 0) set->caps.push_back(cap);
+  set->multiplicities.push_back(multiplicity);
 }
 
 namespace {

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "mesh/orbits.h"
 #include "mesh/subdivision.h"
 #include "surface/basis_table.h"
 #include "surface/cap_kind.h"
@@ -26,9 +27,10 @@ struct Cap {
 struct PatchSet {
   PatchKind kind;
   int columns = 0;
-  std::vector<int> halfedges;  ///< of each patch: from its corner (0,0) along u
-  std::vector<int> points;     ///< patches x columns: points of the layout
-  std::vector<int> caps;       ///< of each patch at a cap: the cap
+  std::vector<int> halfedges;          ///< of each patch: from its corner (0,0) along u
+  std::vector<int> points;             ///< patches x columns: points of the layout
+  std::vector<int> caps;               ///< of each patch at a cap: the cap
+  std::vector<double> multiplicities;  ///< how many patches each one stands for
 
   int count() const { return static_cast<int>(halfedges.size()); }
 };
@@ -37,10 +39,12 @@ class PatchLayout {
  public:
   /// `mesh` is evaluable (mesh/hierarchy.h). Smooth caps take one ring where two would overlap.
   PatchLayout(const PolygonMesh& mesh, CapKind cap);
+  /// One patch of each orbit of faces, which stands for the whole orbit; only the caps that these patches need.
+  PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& face_orbits);
 
   int control_count() const { return control_count_; }
   int point_count() const { return point_count_; }
-  int face_count() const { return face_count_; }
+  int face_count() const { return face_count_; }  ///< of the mesh
   CapKind cap() const { return cap_; }
   const std::vector<PatchSet>& sets() const { return sets_; }
   const std::vector<Cap>& caps() const { return caps_; }
@@ -54,8 +58,8 @@ class PatchLayout {
   SparseMatrix extension() const;
 
  private:
-  void find_caps(const PolygonMesh& mesh);
-  void add_patch(PatchKind kind, int halfedge, int cap, const std::vector<int>& points);
+  std::vector<Cap> find_caps(const PolygonMesh& mesh) const;
+  void add_patch(PatchKind kind, int halfedge, int cap, const std::vector<int>& points, double multiplicity);
 
   CapKind cap_;
   int control_count_, point_count_, face_count_;
