@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Orbits of vertices, what their stabilizers leave free, and the products with B.
+#include "mesh/coordinates.h"
+
+#include <Eigen/SVD>
+#include <cassert>
+#include <cmath>
+
+namespace umbilic {
+namespace {
+
+using Eigen::Matrix3d;
+
+/// Where a singular value of S - I counts as zero. Words of rotations are exact to about 1e-13, and the smallest angle
+/// of a rotation is 2 pi / order.
+constexpr double kFixed = 1e-9;
+
+/// The subspace of vectors that isometries fix, spanned by the first `dimension` columns of an orthogonal matrix.
+struct FixedSubspace {
+  Matrix3d basis = Matrix3d::Identity();
+  int dimension = 3;
+
+  void intersect(const Matrix3d& isometry) {
+    if (dimension == 0) return;
+    const auto span = basis.leftCols(dimension);
+    const Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> moved = isometry * span - span;
+    if (moved.norm() < kFixed) return;
+    const Eigen::JacobiSVD<Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>> svd(moved, Eigen::ComputeFullV);
+    int rank = 0;
+    while (rank < dimension && svd.singularValues()[rank] >= kFixed) ++rank;
+    basis.leftCols(dimension) = (span * svd.matrixV()).eval();
+    // Singular values decrease: what stays fixed stands last.
+    basis.leftCols(dimension - rank) = basis.middleCols(rank, dimension - rank).eval();
+    dimension -= rank;
+  }
+};
+
+}  // namespace
+
+Coordinates::Coordinates(int vertex_count) : vertex_count_(vertex_count), count_(3 * vertex_count) {}
+
+Coordinates::Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group) : Coordinates(mesh.vertex_count()) {
+  if (group.generators.empty()) return;
+  offset_ = group.center;
+  count_ = 0;
+  rows_.resize(vertex_count_);
+  std::vector<std::vector<int>> images;
+  for (const Symmetry& generator : group.generators) images.push_back(vertex_images(mesh, generator.map));
+
+  // R_w maps the first vertex of an orbit to vertex w: `basis` until the orbit is complete.
+  std::vector<bool> reached(vertex_count_, false);
+  std::vector<int> orbit;
+  for (int first = 0; first < vertex_count_; ++first) {
+    if (reached[first]) continue;
+    reached[first] = true;
+    rows_[first].basis.setIdentity();
+    orbit.assign(1, first);
+    FixedSubspace fixed;
+    for (std::size_t i = 0; i < orbit.size(); ++i) {
+      const int v = orbit[i];
+      for (std::size_t g = 0; g < images.size(); ++g) {
+        const int w = images[g][v];
+        const Matrix3d word = group.generators[g].isometry * rows_[v].basis;
+        if (!reached[w]) {
+          reached[w] = true;
+          rows_[w].basis = word;
+          orbit.push_back(w);
+        } else {
+          fixed.intersect(rows_[w].basis.transpose() * word);  // Schreier's generators of the stabilizer
+        }
+      }
+    }
+    const Matrix3d basis = fixed.basis / std::sqrt(static_cast<double>(orbit.size()));
+    for (const int v : orbit) {
+      rows_[v].first = count_;
+      rows_[v].dimension = fixed.dimension;
+      rows_[v].basis = (rows_[v].basis * basis).eval();
+    }
+    count_ += fixed.dimension;
+  }
+}
+
+Points Coordinates::control(const Eigen::VectorXd& unknowns) const {
+  Points result;
+  control(unknowns, result);
+  return result;
+}
+
+void Coordinates::control(const Eigen::VectorXd& unknowns, Points& control) const {
+  assert(unknowns.size() == count_);
+  control.resize(vertex_count_, 3);
+  if (rows_.empty()) {
+    Eigen::Map<Eigen::VectorXd>(control.data(), control.size()) = unknowns;
+    return;
+  }
+  for (int v = 0; v < vertex_count_; ++v) {
+    const Rows& rows = rows_[v];
+    Vector3 point = offset_;
+    for (int i = 0; i < rows.dimension; ++i) point += rows.basis.col(i) * unknowns[rows.first + i];
+    control.row(v) = point.transpose();
+  }
+}
+
+void Coordinates::project(const Points& rows, const Vector3& offset, Eigen::VectorXd& unknowns) const {
+  assert(rows.rows() == vertex_count_);
+  unknowns.resize(count_);
+  if (rows_.empty()) {
+    unknowns = Eigen::Map<const Eigen::VectorXd>(rows.data(), rows.size());
+    return;
+  }
+  unknowns.setZero();
+  for (int v = 0; v < vertex_count_; ++v) {
+    const Rows& block = rows_[v];
+    const Vector3 row = rows.row(v).transpose() - offset;
+    for (int i = 0; i < block.dimension; ++i) unknowns[block.first + i] += block.basis.col(i).dot(row);
+  }
+}
+
+Eigen::VectorXd Coordinates::unknowns(const Points& control) const {
+  Eigen::VectorXd result;
+  unknowns(control, result);
+  return result;
+}
+
+void Coordinates::unknowns(const Points& control, Eigen::VectorXd& unknowns) const {
+  project(control, offset_, unknowns);
+}
+
+Eigen::VectorXd Coordinates::pull_back(const Points& gradient) const {
+  Eigen::VectorXd result;
+  pull_back(gradient, result);
+  return result;
+}
+
+void Coordinates::pull_back(const Points& gradient, Eigen::VectorXd& unknowns) const {
+  project(gradient, Vector3::Zero(), unknowns);
+}
+
+Coordinates::Block Coordinates::block(int vertex) const {
+  if (rows_.empty()) return {3 * vertex, 3, Matrix3d::Identity()};
+  const Rows& rows = rows_[vertex];
+  return {rows.first, rows.dimension, rows.basis.leftCols(rows.dimension)};
+}
+
+}  // namespace umbilic

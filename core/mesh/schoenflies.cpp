@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Axes, their orders and the mirrors decide the symbol.
+#include "mesh/schoenflies.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace umbilic {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kParallel = 1e-6;  // of unit vectors; axes of a finite group other than Cn or Dn are 20 degrees apart
+
+/// Angle in [0, pi] of a rotation, well conditioned everywhere.
+double angle_of(const Matrix3d& rotation) {
+  const Vector3d twice_sine(rotation(2, 1) - rotation(1, 2), rotation(0, 2) - rotation(2, 0),
+                            rotation(1, 0) - rotation(0, 1));
+  return std::atan2(twice_sine.norm(), rotation.trace() - 1);
+}
+
+/// Unit vector v with m v = v; `m` is a rotation other than the identity, or minus a mirror, whose normal it is.
+Vector3d axis_of(const Matrix3d& m) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(m + m.transpose());
+  return solver.eigenvectors().col(2);
+}
+
+bool parallel(const Vector3d& a, const Vector3d& b) { return a.cross(b).norm() < kParallel; }
+
+/// The subgroup of rotations.
+struct Rotations {
+  int order = 1;
+  bool one_axis = true;
+  double smallest_angle = 4;    // more than pi: none
+  Vector3d principal{0, 0, 0};  // axis of the smallest angle
+
+  void add(const Matrix3d& rotation) {
+    const double angle = angle_of(rotation);
+    if (angle < kParallel) return;
+    ++order;
+    const Vector3d axis = axis_of(rotation);
+    one_axis = one_axis && (smallest_angle > 3.5 || parallel(axis, principal));
+    if (angle > smallest_angle - kParallel) return;
+    smallest_angle = angle;
+    principal = axis;
+  }
+  /// Largest order of an axis.
+  int fold() const { return static_cast<int>(std::lround(2 * std::numbers::pi / smallest_angle)); }
+};
+
+}  // namespace
+
+std::string schoenflies_symbol(const std::vector<Matrix3d>& elements) {
+  Rotations rotations;
+  for (const Matrix3d& m : elements) {
+    if (m.determinant() > 0) rotations.add(m);
+  }
+  const bool proper = rotations.order == static_cast<int>(elements.size());
+  bool inversion = false, horizontal = false, mirror = false;
+  for (const Matrix3d& m : elements) {
+    if (m.determinant() > 0) continue;
+    const double angle = angle_of(-m);  // a mirror is minus a half turn
+    inversion = inversion || angle < kParallel;
+    if (angle < std::numbers::pi - kParallel) continue;
+    mirror = true;
+    horizontal = horizontal || rotations.order == 1 || parallel(axis_of(-m), rotations.principal);
+  }
+
+  const int fold = rotations.order == 1 ? 1 : rotations.fold();
+  if (rotations.one_axis) {
+    if (proper) return fmt::format("C{}", rotations.order);
+    if (rotations.order == 1) return mirror ? "Cs" : "Ci";
+    if (horizontal) return fmt::format("C{}h", rotations.order);
+    return mirror ? fmt::format("C{}v", rotations.order) : fmt::format("S{}", 2 * rotations.order);
+  }
+  if (rotations.order != 2 * fold) {
+    const char* const symbol = fold == 3 ? "T" : fold == 4 ? "O" : "I";
+    if (proper) return symbol;
+    return fmt::format("{}{}", symbol, fold == 3 && !inversion ? "d" : "h");
+  }
+  if (proper) return fmt::format("D{}", fold);
+  // The three axes of D2 are equal: any of them may be horizontal to a mirror, but only D2h has the inversion.
+  return fmt::format("D{}{}", fold, (fold == 2 ? inversion : horizontal) ? "h" : "d");
+}
+
+}  // namespace umbilic
