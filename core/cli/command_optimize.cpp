@@ -51,6 +51,13 @@ std::optional<std::string> shared_output(const std::vector<std::string>& outputs
   return std::nullopt;
 }
 
+Result<MetricChoice> parse_metric(const std::string& name) {
+  for (int i = 0; i < kMetricChoiceCount; ++i) {
+    if (name == kMetricChoiceNames[i]) return static_cast<MetricChoice>(i);
+  }
+  return Error{fmt::format("{} is none of auto, identity, sobolev, hessian", in_quotes(name))};
+}
+
 void minimize(Run& run, const InterruptWatch& watch, bool quiet) {
   ProgressLine line(quiet);
   while (!run.step(1)) {
@@ -148,6 +155,18 @@ void add_level_options(CLI::App& command, RunOptions& options) {
       }));
 }
 
+void add_metric_options(CLI::App& command, RunOptions& options) {
+  command.add_flag(
+      "--no-symmetry", [&options](std::int64_t) { options.symmetry = false; },
+      "Let the surface leave the cage's symmetry");
+  command
+      .add_option_function<std::string>(
+          "--metric", [&options](const std::string& name) { options.metric = parse_metric(name).value(); },
+          "What the optimizer measures steps with: auto, identity, sobolev or hessian [auto]")
+      ->type_name("NAME")
+      ->check(checked(parse_metric));
+}
+
 }  // namespace
 
 void add_optimize_command(CLI::App& app, int& exit_code) {
@@ -158,6 +177,7 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
   add_objective_options(*command, arguments->objective);
   add_cap_option(*command, arguments->options.cap);
   add_level_options(*command, arguments->options);
+  add_metric_options(*command, arguments->options);
   const auto add_output = [&](const char* name, std::optional<std::string>& output, const char* type,
                               const char* what) {
     command

@@ -29,29 +29,29 @@ double central_difference(const F& f, double h) {
 }  // namespace
 
 Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels) {
-  Result<RefinedCage> refined = refine(cage, levels);
+  Result<RefinedCage> refined = refine(cage, levels, false);
   if (!refined) return refined.error();
   Weights bending{};
   bending[kBending] = 1;
   const int level = refined->level, patches = refined->mesh.face_count();
-  const Surface surface(std::move(refined->mesh), cap, bending);
-  return EvaluationReport{level, patches, surface.report(refined->control)};
+  const Surface surface(std::move(refined).value(), cap, bending);
+  return EvaluationReport{level, patches, surface.report(surface.start())};
 }
 
 Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, CapKind cap) {
   Error error;
   if (!usable(weights, error)) return error;
-  Result<RefinedCage> refined = refine(cage, 0);
+  Result<RefinedCage> refined = refine(cage, 0, false);
   if (!refined) return refined.error();
   if (diverges(refined->mesh, cap, weights, error)) return error;
-  const Points control = refined->control;
-  const Surface surface(std::move(refined->mesh), cap, weights);
+  const Surface surface(std::move(refined).value(), cap, weights);
+  const Points& control = surface.start();
 
   Points gradient;
   surface.energy().evaluate(control, &gradient);
   const double extent = (control.colwise().maxCoeff() - control.colwise().minCoeff()).maxCoeff();
   GradientReport report;
-  report.level = refined->level;
+  report.level = surface.level();
   report.unknowns = static_cast<int>(control.size());
   report.directions = kDirections;
   report.tolerance = kGradientTolerance;

@@ -5,10 +5,11 @@
 
 #include <memory>
 
+#include "driver/metric_choice.h"
 #include "driver/surface.h"
 #include "driver/surface_objective.h"
 #include "optimize/lbfgs.h"
-#include "optimize/sobolev.h"
+#include "optimize/surface_metric.h"
 
 namespace umbilic {
 
@@ -17,6 +18,7 @@ struct LevelOptions {
   Weights weights;
   int max_iterations;
   double tolerance;
+  MetricChoice metric;
 };
 
 class Level {
@@ -28,10 +30,11 @@ class Level {
   void cancel();
 
   bool preparing() const { return !lbfgs_; }
-  int number() const { return number_; }
+  int number() const { return surface_.level(); }
   const Surface& surface() const { return surface_; }
   /// Control points of the best surface so far.
-  Points best() const { return lbfgs_ ? SurfaceObjective::control(lbfgs_->best()) : start_; }
+  Points best() const { return lbfgs_ ? surface_.coordinates().control(lbfgs_->best()) : surface_.start(); }
+  RefinedCage best_cage() const { return {number(), surface_.mesh(), best(), surface_.symmetry()}; }
   /// Null while preparing.
   const Lbfgs* lbfgs() const { return lbfgs_.get(); }
 
@@ -42,12 +45,11 @@ class Level {
   void start();
   bool metric_is_stale() const;
 
-  int number_;
   LevelOptions options_;
-  Points start_;
   Surface surface_;
   SurfaceObjective objective_;
-  std::unique_ptr<SobolevMetric> metric_, next_metric_;
+  std::unique_ptr<SurfaceMetric> metric_;
+  bool building_ = false;
   std::unique_ptr<Lbfgs> lbfgs_;
   int metric_iteration_ = 0;
   bool cancelled_ = false;

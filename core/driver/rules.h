@@ -20,6 +20,16 @@ constexpr QuadratureRule minimizing_rule(CapKind cap) {
   return {};
 }
 
+/// For the second derivatives of the optimizer's metric.
+constexpr QuadratureRule hessian_rule(CapKind cap) {
+  switch (cap) {
+    case CapKind::kNone: return {3, 3, 3};
+    case CapKind::kFlat: return {3, 8, 1};
+    case CapKind::kSmooth: return {3, 4, 1};
+  }
+  return {};
+}
+
 /// Finer than what was minimized with, so that the difference shows the error.
 constexpr QuadratureRule reporting_rule(CapKind cap) {
   switch (cap) {

@@ -52,7 +52,7 @@ struct Run::State {
   mutable std::optional<EnergyReport> energies;  // of the best surface, while it stays
 
   LevelOptions level_options() const {
-    return {options.cap, options.weights, options.max_iterations, options.tolerance};
+    return {options.cap, options.weights, options.max_iterations, options.tolerance, options.metric};
   }
 
   const EnergyReport& report_energies() const {
@@ -101,10 +101,7 @@ struct Run::State {
       progress.phase = Phase::kDone;
       return;
     }
-    Refinement finer = catmull_clark(level->surface().mesh());
-    Points control = finer.stencil * level->best();
-    level = std::make_unique<Level>(RefinedCage{level->number() + 1, std::move(finer.mesh), std::move(control)},
-                                    level_options());
+    level = std::make_unique<Level>(refine(level->best_cage()), level_options());
     energies.reset();
     progress.phase = Phase::kPrepare;
     update_progress();
@@ -114,7 +111,7 @@ struct Run::State {
 Result<Run> Run::create(const Cage& cage, const RunOptions& options) {
   Error error;
   if (!in_range(options, error)) return error;
-  Result<RefinedCage> refined = refine(cage, options.first_level);
+  Result<RefinedCage> refined = refine(cage, options.first_level, options.symmetry);
   if (!refined) return refined.error();
   if (diverges(refined->mesh, options.cap, options.weights, error)) return error;
   const double last_faces =
@@ -169,7 +166,7 @@ Cage Run::control_mesh() const { return to_cage(state_->level->surface().mesh(),
 
 LimitMesh Run::limit_mesh(int density) const {
   const Surface& surface = state_->level->surface();
-  return tessellate(surface.mesh(), surface.layout(), state_->level->best(), density);
+  return tessellate(surface.mesh(), surface.whole_layout(), state_->level->best(), density);
 }
 
 }  // namespace umbilic

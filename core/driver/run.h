@@ -10,6 +10,7 @@
 
 #include "cage/cage.h"
 #include "driver/limit_mesh.h"
+#include "driver/metric_choice.h"
 #include "driver/report.h"
 #include "energy/functional.h"
 #include "surface/cap_kind.h"
@@ -23,6 +24,8 @@ struct RunOptions {
   int last_level = 2;         ///< >= first_level; raised with it
   int max_iterations = 1000;  ///< >= 0, per level
   double tolerance = 1e-6;    ///< >= 0: see StopReason::kConverged
+  bool symmetry = true;       ///< whether the surface keeps the cage's symmetry
+  MetricChoice metric = MetricChoice::kAutomatic;
 };
 
 /// What a run is about to do; every `step` finishes at most one of these.

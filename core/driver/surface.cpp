@@ -13,8 +13,9 @@
 
 namespace umbilic {
 
-Result<RefinedCage> refine(const Cage& cage, int level) {
-  PolygonMesh mesh(cage);
+Result<RefinedCage> refine(const Cage& cage, int level, bool symmetric) {
+  RefinedCage refined{0, PolygonMesh(cage), cage.vertices, {}};
+  const PolygonMesh& mesh = refined.mesh;
   const Result<int> required = required_level(mesh);
   if (!required) return required.error();
   const int steps = std::max(level, *required);
@@ -22,13 +23,16 @@ Result<RefinedCage> refine(const Cage& cage, int level) {
   if (faces > kMaxFaces) {
     return Error{fmt::format("level {} would have {:.3g} faces; at most {} are possible", steps, faces, kMaxFaces)};
   }
-  Points control = cage.vertices;
-  for (int i = 0; i < steps; ++i) {
-    Refinement step = catmull_clark(mesh);
-    control = (step.stencil * control).eval();
-    mesh = std::move(step.mesh);
-  }
-  return RefinedCage{steps, std::move(mesh), std::move(control)};
+  if (symmetric) refined.symmetry = find_symmetry(mesh, refined.control);
+  const Coordinates coordinates(mesh, refined.symmetry);
+  refined.control = coordinates.control(coordinates.unknowns(refined.control));
+  while (refined.level < steps) refined = refine(refined);
+  return refined;
+}
+
+RefinedCage refine(const RefinedCage& cage) {
+  Refinement finer = catmull_clark(cage.mesh);
+  return {cage.level + 1, std::move(finer.mesh), finer.stencil * cage.control, refined(cage.symmetry, cage.mesh)};
 }
 
 bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Error& error) {
@@ -44,12 +48,19 @@ bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Erro
   return false;
 }
 
-Surface::Surface(PolygonMesh mesh, CapKind cap, const Weights& weights)
-    : mesh_(std::move(mesh)),
+Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights)
+    : cage_(std::move(cage)),
       weights_(weights),
-      layout_(mesh_, cap),
+      coordinates_(cage_.mesh, cage_.symmetry),
+      layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry)),
       jets_(layout_, minimizing_rule(cap)),
       energy_(jets_, weights) {}
+
+const PatchLayout& Surface::whole_layout() const {
+  if (symmetry().order == 1) return layout_;
+  if (!whole_layout_) whole_layout_ = std::make_unique<PatchLayout>(cage_.mesh, layout_.cap());
+  return *whole_layout_;
+}
 
 EnergyReport Surface::report(const Points& control) const {
   if (!reporting_jets_) reporting_jets_ = std::make_unique<JetEvaluator>(layout_, reporting_rule(layout_.cap()));

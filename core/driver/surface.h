@@ -8,6 +8,7 @@
 #include "driver/report.h"
 #include "driver/rules.h"
 #include "energy/surface_energy.h"
+#include "mesh/coordinates.h"
 
 namespace umbilic {
 
@@ -16,19 +17,31 @@ struct RefinedCage {
   int level;
   PolygonMesh mesh;
   Points control;
+  SymmetryGroup symmetry;  ///< that the optimizer keeps; C1 keeps none
 };
 
-/// `cage` after `level` Catmull-Clark steps, or as many as it needs to be evaluable. Fails as `required_level`, and
-/// where the mesh would have more than kMaxFaces faces.
+/// `cage` with its symmetry group (or C1 unless `symmetric`) after `level` Catmull-Clark steps, or as many as it needs
+/// to be evaluable. Fails as `required_level`, and where the mesh would have more than kMaxFaces faces.
 inline constexpr int kMaxFaces = 2'000'000;
-Result<RefinedCage> refine(const Cage& cage, int level);
+Result<RefinedCage> refine(const Cage& cage, int level, bool symmetric);
+/// The next level of the same surface.
+RefinedCage refine(const RefinedCage& cage);
 
 class Surface {
  public:
-  Surface(PolygonMesh mesh, CapKind cap, const Weights& weights);
+  /// Of points with the symmetry of the cage.
+  Surface(RefinedCage cage, CapKind cap, const Weights& weights);
 
-  const PolygonMesh& mesh() const { return mesh_; }
+  int level() const { return cage_.level; }
+  const PolygonMesh& mesh() const { return cage_.mesh; }
+  const SymmetryGroup& symmetry() const { return cage_.symmetry; }
+  /// The control points that the surface was made with.
+  const Points& start() const { return cage_.control; }
+  const Coordinates& coordinates() const { return coordinates_; }
+  /// One patch of each orbit.
   const PatchLayout& layout() const { return layout_; }
+  /// All patches.
+  const PatchLayout& whole_layout() const;
   const JetEvaluator& jets() const { return jets_; }
   const SurfaceEnergy& energy() const { return energy_; }
 
@@ -38,11 +51,13 @@ class Surface {
   double objective(const EnergyReport& report) const;
 
  private:
-  PolygonMesh mesh_;
+  RefinedCage cage_;
   Weights weights_;
+  Coordinates coordinates_;
   PatchLayout layout_;
   JetEvaluator jets_;
   SurfaceEnergy energy_;
+  mutable std::unique_ptr<PatchLayout> whole_layout_;
   mutable std::unique_ptr<JetEvaluator> reporting_jets_;
 };
 

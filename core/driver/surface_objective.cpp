@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Reshapes unknowns into control points and back.
+/// Between unknowns and control points.
 #include "driver/surface_objective.h"
 
 namespace umbilic {
@@ -11,20 +11,12 @@ constexpr double kSmallestRegularity = 1e-9;
 
 }  // namespace
 
-void SurfaceObjective::evaluate(const Eigen::VectorXd& at, Evaluation& result) const {
-  Points gradient;
-  const EnergyValue value = energy_.evaluate(control(at), &gradient);
+void SurfaceObjective::evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const {
+  coordinates_.control(unknowns, control_);
+  const EnergyValue value = energy_.evaluate(control_, &gradient_);
   result.value = value.energy;
-  result.gradient = unknowns(gradient);
+  coordinates_.pull_back(gradient_, result.gradient);
   result.degenerate = !(value.regularity > kSmallestRegularity);
-}
-
-Eigen::VectorXd SurfaceObjective::unknowns(const Points& control) {
-  return Eigen::Map<const Eigen::VectorXd>(control.data(), control.size());
-}
-
-Points SurfaceObjective::control(const Eigen::VectorXd& unknowns) {
-  return Eigen::Map<const Points>(unknowns.data(), unknowns.size() / 3, 3);
 }
 
 }  // namespace umbilic

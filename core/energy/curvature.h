@@ -64,6 +64,24 @@ class CurvatureFrame {
   /// The jet's adjoint from the curvature's.
   Jet<T> pull_back(const Curvature<T>& adjoint) const;
 
+  /// The part of C that is linear in t = n . X_ijk, and its transpose.
+  void third_to_frame(const T (&t)[4], T (&c)[4]) const {
+    const T t01 = beta_ * t[0] + gamma_ * t[1], t12 = beta_ * t[1] + gamma_ * t[2], t23 = beta_ * t[2] + gamma_ * t[3];
+    const T t012 = beta_ * t01 + gamma_ * t12, t123 = beta_ * t12 + gamma_ * t23;
+    c[0] = alpha_ * alpha_ * alpha_ * t[0];
+    c[1] = alpha_ * alpha_ * t01;
+    c[2] = alpha_ * t012;
+    c[3] = beta_ * t012 + gamma_ * t123;
+  }
+  void third_from_frame(const T (&c)[4], T (&t)[4]) const {
+    const T aa = alpha_ * alpha_;
+    // Horner from the highest power of beta.
+    t[0] = alpha_ * (aa * c[0] + beta_ * (alpha_ * c[1] + beta_ * c[2])) + beta_ * beta_ * beta_ * c[3];
+    t[1] = gamma_ * (aa * c[1] + beta_ * (2.0 * alpha_ * c[2] + 3.0 * beta_ * c[3]));
+    t[2] = gamma_ * gamma_ * (alpha_ * c[2] + 3.0 * beta_ * c[3]);
+    t[3] = gamma_ * gamma_ * gamma_ * c[3];
+  }
+
  private:
   void to_frame(const T (&x)[3], T (&y)[3]) const {
     const T mixed = beta_ * x[0] + gamma_ * x[1];
@@ -97,16 +115,15 @@ class CurvatureFrame {
     to_frame(along_frame_[1], christoffel_[1]);
     for (int i = 0; i < 4; ++i) third_normal_[i] = dot(normal_, jet_.third[i]);
 
-    const T(&t)[4] = third_normal_;
-    const T t01 = beta_ * t[0] + gamma_ * t[1], t12 = beta_ * t[1] + gamma_ * t[2], t23 = beta_ * t[2] + gamma_ * t[3];
-    const T t012 = beta_ * t01 + gamma_ * t12, t123 = beta_ * t12 + gamma_ * t23;
     const T &p = value_.p, &q = value_.q, &r = value_.r;
     const T(&g1)[3] = christoffel_[0];
     const T(&g2)[3] = christoffel_[1];
-    value_.c[0] = alpha_ * alpha_ * alpha_ * t[0] - 3.0 * (g1[0] * p + g2[0] * q);
-    value_.c[1] = alpha_ * alpha_ * t01 - (g1[0] * q + g2[0] * r) - 2.0 * (g1[1] * p + g2[1] * q);
-    value_.c[2] = alpha_ * t012 - 2.0 * (g1[1] * q + g2[1] * r) - (g1[2] * p + g2[2] * q);
-    value_.c[3] = beta_ * t012 + gamma_ * t123 - 3.0 * (g1[2] * q + g2[2] * r);
+    T c[4];
+    third_to_frame(third_normal_, c);
+    value_.c[0] = c[0] - 3.0 * (g1[0] * p + g2[0] * q);
+    value_.c[1] = c[1] - (g1[0] * q + g2[0] * r) - 2.0 * (g1[1] * p + g2[1] * q);
+    value_.c[2] = c[2] - 2.0 * (g1[1] * q + g2[1] * r) - (g1[2] * p + g2[2] * q);
+    value_.c[3] = c[3] - 3.0 * (g1[2] * q + g2[2] * r);
   }
 
   const Jet<T>& jet_;
@@ -145,11 +162,8 @@ Jet<T> CurvatureFrame<T, kThird>::pull_back(const Curvature<T>& adjoint) const {
     frame.alpha += 3.0 * aa * t[0] * c[0] + 2.0 * alpha_ * t01 * c[1] + t012 * c[2];
     frame.beta += aa * t[0] * c[1] + 2.0 * alpha_ * t01 * c[2] + 3.0 * t012 * c[3];
     frame.gamma += aa * t[1] * c[1] + 2.0 * alpha_ * t12 * c[2] + 3.0 * t123 * c[3];
-    // Horner from the highest power of beta.
-    const T third_adjoint[4] = {
-        alpha_ * (aa * c[0] + beta_ * (alpha_ * c[1] + beta_ * c[2])) + beta_ * beta_ * beta_ * c[3],
-        gamma_ * (aa * c[1] + beta_ * (2.0 * alpha_ * c[2] + 3.0 * beta_ * c[3])),
-        gamma_ * gamma_ * (alpha_ * c[2] + 3.0 * beta_ * c[3]), gamma_ * gamma_ * gamma_ * c[3]};
+    T third_adjoint[4];
+    third_from_frame(c, third_adjoint);
     for (int i = 0; i < 4; ++i) {
       jet.third[i] = normal_ * third_adjoint[i];
       normal_adjoint += jet_.third[i] * third_adjoint[i];

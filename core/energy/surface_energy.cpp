@@ -8,42 +8,10 @@
 
 #include "base/lanes.h"
 #include "energy/densities.h"
+#include "energy/jet_lanes.h"
 
 namespace umbilic {
 namespace {
-
-/// The three coordinates of one derivative at consecutive samples.
-Vec3<Lanes> load_vector(const double* x, int stride) {
-  return {load_lanes(x), load_lanes(x + stride), load_lanes(x + 2 * stride)};
-}
-
-void store_vector(double* x, int stride, const Vec3<Lanes>& v) {
-  store_lanes(x, v.x);
-  store_lanes(x + stride, v.y);
-  store_lanes(x + 2 * stride, v.z);
-}
-
-template <bool kThird>
-Jet<Lanes> load_jet(const double* x, int samples, int derivatives) {
-  Jet<Lanes> jet;
-  const int stride = derivatives * samples;
-  for (int d = 0; d < 2; ++d) jet.first[d] = load_vector(x + d * samples, stride);
-  for (int d = 0; d < 3; ++d) jet.second[d] = load_vector(x + (2 + d) * samples, stride);
-  if constexpr (kThird) {
-    for (int d = 0; d < 4; ++d) jet.third[d] = load_vector(x + (5 + d) * samples, stride);
-  }
-  return jet;
-}
-
-template <bool kThird>
-void store_jet(double* x, int samples, const Jet<Lanes>& jet) {
-  const int stride = (kThird ? kThirdOrderCount : kSecondOrderCount) * samples;
-  for (int d = 0; d < 2; ++d) store_vector(x + d * samples, stride, jet.first[d]);
-  for (int d = 0; d < 3; ++d) store_vector(x + (2 + d) * samples, stride, jet.second[d]);
-  if constexpr (kThird) {
-    for (int d = 0; d < 4; ++d) store_vector(x + (5 + d) * samples, stride, jet.third[d]);
-  }
-}
 
 /// Running sums over all samples.
 struct Sums {
@@ -110,13 +78,13 @@ SurfaceEnergy::SurfaceEnergy(const JetEvaluator& jets, const Weights& weights)
       second_order_(weights[kBending] != 0 || weights[kWillmore] != 0),
       third_order_(std::any_of(weights.begin() + kMvs, weights.end(), [](double w) { return w != 0; })) {}
 
-EnergyValue SurfaceEnergy::evaluate(const Points& control, Points* gradient) const {
+EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, bool gradient,
+                                             std::vector<Points>& gradients) const {
   std::vector<AdjointChannel> channels;
   if (gradient && second_order_) channels.push_back({kSecondOrderCount});
   if (gradient && third_order_) channels.insert(channels.end(), {{kThirdOrderCount}, {kFirstOrderCount}});
 
   Sums sums;
-  std::vector<Points> gradients;
   const auto visit = [&](const JetBlock& block) {
     if (!third_order_) {
       integrate<true, false>(weights_.data(), block, sums);
@@ -134,6 +102,12 @@ EnergyValue SurfaceEnergy::evaluate(const Points& control, Points* gradient) con
   value.area = sum_lanes(sums.area);
   value.energy = value.second + value.area * value.third;
   value.regularity = sums.smallest * jets_.layout().face_count() / value.area;
+  return value;
+}
+
+EnergyValue SurfaceEnergy::evaluate(const Points& control, Points* gradient) const {
+  std::vector<Points> gradients;
+  const EnergyValue value = evaluate_channels(control, gradient != nullptr, gradients);
   if (gradient) {
     *gradient = gradients.front();
     if (third_order_) {
@@ -146,6 +120,14 @@ EnergyValue SurfaceEnergy::evaluate(const Points& control, Points* gradient) con
       *gradient += value.third * gradients[third + 1];
     }
   }
+  return value;
+}
+
+EnergyValue SurfaceEnergy::evaluate_factors(const Points& control, Points& third, Points& area) const {
+  std::vector<Points> gradients;
+  const EnergyValue value = evaluate_channels(control, true, gradients);
+  area = std::move(gradients.back());
+  third = std::move(gradients[gradients.size() - 2]);
   return value;
 }
 

@@ -28,10 +28,17 @@ class SurfaceEnergy {
   /// Not finite where the surface is not regular. `gradient`, if given, is control_count x 3.
   EnergyValue evaluate(const Points& control, Points* gradient) const;
 
+  /// The gradients of `EnergyValue::third` and `area`, control_count x 3. There is a functional of third order.
+  EnergyValue evaluate_factors(const Points& control, Points& third, Points& area) const;
+
+  const PatchLayout& layout() const { return jets_.layout(); }
+  const Weights& weights() const { return weights_; }
   /// Whether a functional of third order has a weight.
   bool third_order() const { return third_order_; }
 
  private:
+  EnergyValue evaluate_channels(const Points& control, bool gradient, std::vector<Points>& gradients) const;
+
   const JetEvaluator& jets_;
   Weights weights_;
   bool second_order_, third_order_;

@@ -26,6 +26,8 @@ class Coordinates {
   /// The points that are symmetric under the group, about its center.
   Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group);
 
+  /// Whether B = I.
+  bool free() const { return rows_.empty(); }
   int count() const { return count_; }  ///< of unknowns
   int vertex_count() const { return vertex_count_; }
 

@@ -7,7 +7,7 @@
 
 namespace umbilic {
 
-/// A partition of the elements 0, 1, … into orbits 0, 1, ….
+/// A partition into orbits, numbered by their first elements.
 struct Orbits {
   std::vector<int> of;     ///< of each element: its orbit
   std::vector<int> sizes;  ///< of each orbit: its elements

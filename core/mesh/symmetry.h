@@ -8,6 +8,7 @@
 
 #include "base/types.h"
 #include "mesh/automorphism.h"
+#include "mesh/orbits.h"
 
 namespace umbilic {
 
@@ -45,12 +46,6 @@ SymmetryGroup find_symmetry(const PolygonMesh& mesh, const Points& points);
 
 /// The same group acting on catmull_clark(mesh).mesh.
 SymmetryGroup refined(const SymmetryGroup& group, const PolygonMesh& mesh);
-
-/// A partition into orbits, numbered by their first elements.
-struct Orbits {
-  std::vector<int> of;     ///< element -> orbit
-  std::vector<int> sizes;  ///< orbit -> number of elements
-};
 
 Orbits face_orbits(const PolygonMesh& mesh, const SymmetryGroup& group);
 

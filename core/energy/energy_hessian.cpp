@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Prepares tables and jets for the kernel; turns flat caps so that the frozen normal is the third axis.
+#include "energy/energy_hessian.h"
+
+#include <algorithm>
+
+#include "base/lanes.h"
+#include "energy/patch_hessian.h"
+
+namespace umbilic {
+namespace {
+
+Eigen::MatrixXd padded(const Eigen::MatrixXd& basis, int columns) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(basis.rows(), columns);
+  result.leftCols(basis.cols()) = basis;
+  return result;
+}
+
+/// Orthogonal, with last row n.
+Eigen::Matrix3d turn_to_axis(const Vector3& n) {
+  Eigen::Matrix3d turn;
+  const Vector3 first = n.unitOrthogonal();
+  turn << first.transpose(), n.cross(first).transpose(), n.transpose();
+  return turn;
+}
+
+/// Rows and columns of the coordinates turned back: block = turn^T block turn over the coordinates.
+void turn_back(const Eigen::Matrix3d& turn, int columns, std::vector<double>& block) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Map<RowMajor> lower(block.data(), 3 * columns, 3 * columns);
+  const RowMajor full = lower.selfadjointView<Eigen::Lower>();
+  lower.setZero();
+  for (int c = 0; c < 3; ++c) {
+    for (int e = 0; e <= c; ++e) {
+      for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) {
+          lower.block(c * columns, e * columns, columns, columns) +=
+              turn(a, c) * turn(b, e) * full.block(a * columns, b * columns, columns, columns);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights)
+    : layout_(layout),
+      weights_(weights),
+      third_order_(std::any_of(weights.begin() + kMvs, weights.end(), [](double w) { return w != 0; })) {
+  int widest = 0;
+  for (const PatchSet& set : layout.sets()) {
+    std::vector<Sample> samples = set.kind.regular()            ? tensor_rule(rule.regular_points)
+                                  : set.kind.at_extraordinary() ? graded_rule(rule.cap_points, rule.grading)
+                                                                : tensor_rule(rule.cap_points);
+    pad_samples(samples, kLaneCount);
+    Kind kind{basis_table(set.kind, samples, 1, kDerivativeCount), {}, (set.columns + 3) / 4 * 4};
+    kind.table.basis = padded(kind.table.basis, kind.padded);
+    if (set.kind.shape == CapShape::kFlat) {
+      kind.table.flattening = padded(kind.table.flattening, kind.padded);
+      kind.normal_part = kind.table.basis - kind.table.flattening;
+    }
+    widest = std::max(widest, kind.padded);
+    kinds_.push_back(std::move(kind));
+  }
+  scratch_.resize(patch_hessian_scratch(widest));
+  block_.resize(static_cast<std::size_t>(9) * widest * widest);
+}
+
+void EnergyHessian::move_to(const Points& control, const EnergyValue& value) {
+  points_ = layout_.extend(control);
+  frames_ = flat_frames(layout_, points_);
+  scaled_ = weights_;
+  for (int f = 0; f < kFunctionalCount; ++f) {
+    if (is_third_order(f)) scaled_[f] *= value.area;
+  }
+  area_factor_ = third_order_ ? value.third : 0;
+}
+
+const double* EnergyHessian::patch(int set, int patch) {
+  const PatchSet& patches = layout_.sets()[set];
+  const Kind& kind = kinds_[set];
+  const bool flat = patches.kind.shape == CapShape::kFlat;
+  const Eigen::Matrix3d turn = flat ? turn_to_axis(frames_[patches.caps[patch]].normal) : Eigen::Matrix3d::Identity();
+  Eigen::Matrix<double, Eigen::Dynamic, 3> local = Eigen::MatrixXd::Zero(kind.padded, 3);
+  for (int i = 0; i < patches.columns; ++i) {
+    local.row(i) = points_.row(patches.points[static_cast<std::size_t>(patches.columns) * patch + i]);
+  }
+  if (flat) local = (local * turn.transpose()).eval();
+  Eigen::Matrix<double, Eigen::Dynamic, 3> jets = kind.table.basis * local;
+  if (flat) jets.col(2) = kind.normal_part * local.col(2);
+
+  const double* basis = kind.table.basis.data();
+  const HessianPatch input{kind.table.samples,
+                           kind.padded,
+                           third_order_,
+                           kind.table.weights.data(),
+                           jets.data(),
+                           {basis, basis, flat ? kind.normal_part.data() : basis},
+                           static_cast<int>(kind.table.basis.rows())};
+  patch_hessian(input, scaled_, area_factor_, scratch_.data(), block_.data());
+  if (flat) turn_back(turn, kind.padded, block_);
+  return block_.data();
+}
+
+}  // namespace umbilic

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Second derivatives of a surface's weighted functional, patch by patch.
+///
+/// With the energy second + area * third, the patches' matrices sum to D^2 second + area D^2 third + third D^2 area;
+/// what is missing of the Hessian is the rank-two term grad area grad third^T + grad third grad area^T. Of `flat` caps
+/// n is frozen.
+#pragma once
+
+#include <vector>
+
+#include "energy/surface_energy.h"
+#include "surface/basis_table.h"
+#include "surface/flat_frame.h"
+
+namespace umbilic {
+
+class EnergyHessian {
+ public:
+  /// `layout` outlives the Hessian.
+  EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights);
+
+  /// Where the derivatives are taken. `value` is the energy there.
+  void move_to(const Points& control, const EnergyValue& value);
+
+  /// The matrix of a patch (of one that it stands for): row-major, 3 columns(set) x 3 columns(set), as
+  /// `patch_hessian` leaves it. Valid until the next call.
+  const double* patch(int set, int patch);
+  int columns(int set) const { return kinds_[set].padded; }
+  int samples(int set) const { return kinds_[set].table.samples; }
+
+ private:
+  struct Kind {
+    BasisTable table;             // with columns padded by zeros
+    Eigen::MatrixXd normal_part;  // of `flat` caps: basis - flattening
+    int padded;
+  };
+
+  const PatchLayout& layout_;
+  Weights weights_;
+  bool third_order_;
+  std::vector<Kind> kinds_;
+
+  Points points_;
+  std::vector<FlatFrame> frames_;
+  Weights scaled_{};
+  double area_factor_ = 0;
+  std::vector<double> scratch_, block_;
+};
+
+}  // namespace umbilic

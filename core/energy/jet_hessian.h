@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Second derivatives of a weighted sum of densities by the jet: the gradient's code on dual numbers.
+///
+/// f(jet) = weight (rho |X_u x X_v| + area_factor |X_u x X_v|). C is linear in the third derivatives, and only in their
+/// normal parts, so that their own block is n n^T times a 4 x 4 matrix of the density, and directions along first and
+/// second derivatives suffice for the rest.
+#pragma once
+
+#include "energy/densities.h"
+#include "energy/dual_number.h"
+#include "surface/derivatives.h"
+
+namespace umbilic {
+
+/// The integrand whose derivatives are taken.
+struct WeightedIntegrand {
+  double weights[kFunctionalCount];  ///< of the densities
+  double area_factor;                ///< of the area element alone
+};
+
+/// f's gradient.
+template <bool kThird, class T>
+Jet<T> integrand_gradient(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight) {
+  const CurvatureFrame<T, kThird> frame(jet);
+  const Curvature<T>& k = frame.value();
+  Curvature<T> adjoint{};
+  const T measure = weight * k.area;
+  T density = weighted_density<false>(f.weights, k, measure, adjoint);
+  if constexpr (kThird) density += weighted_density<true>(f.weights, k, measure, adjoint);
+  adjoint.area = weight * (density + f.area_factor);
+  return frame.pull_back(adjoint);
+}
+
+/// Entry (i, j) over the coordinates c * derivatives + d of the jet, d from X_u; derivatives = kThird ? 9 : 5.
+template <bool kThird, class T>
+class JetHessian {
+ public:
+  static constexpr int kDerivatives = kThird ? kThirdOrderCount : kSecondOrderCount;
+  static constexpr int kSize = 3 * kDerivatives;
+
+  JetHessian(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight) {
+    for (int d = 0; d < kSecondOrderCount; ++d) along_derivative(f, jet, weight, d);
+    if constexpr (kThird) along_third(f, jet, weight);
+  }
+
+  const T& operator()(int i, int j) const { return entries_[i][j]; }
+
+ private:
+  static int index(int d, int coordinate) { return coordinate * kDerivatives + d; }
+
+  /// Columns (and rows) of the three coordinates of a derivative of first or second order.
+  void along_derivative(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight, int d) {
+    using Number = DualNumber<T, 3>;
+    Jet<Number> moved;
+    const auto lift = [](const Vec3<T>& v) { return Vec3<Number>{Number(v.x), Number(v.y), Number(v.z)}; };
+    for (int i = 0; i < 2; ++i) moved.first[i] = lift(jet.first[i]);
+    for (int i = 0; i < 3; ++i) moved.second[i] = lift(jet.second[i]);
+    if constexpr (kThird) {
+      for (int i = 0; i < 4; ++i) moved.third[i] = lift(jet.third[i]);
+    }
+    Vec3<Number>& direction = d < 2 ? moved.first[d] : moved.second[d - 2];
+    direction.x.tangent[0] += 1.0;
+    direction.y.tangent[1] += 1.0;
+    direction.z.tangent[2] += 1.0;
+    const Jet<Number> gradient = integrand_gradient<kThird>(f, moved, Number(weight));
+    const auto store = [&](int row, const Vec3<Number>& v) {
+      for (int c = 0; c < 3; ++c) {
+        const T entries[3] = {v.x.tangent[c], v.y.tangent[c], v.z.tangent[c]};
+        for (int r = 0; r < 3; ++r)
+          entries_[index(row, r)][index(d, c)] = entries_[index(d, c)][index(row, r)] = entries[r];
+      }
+    };
+    for (int i = 0; i < 2; ++i) store(i, gradient.first[i]);
+    for (int i = 0; i < 3; ++i) store(2 + i, gradient.second[i]);
+    if constexpr (kThird) {
+      for (int i = 0; i < 4; ++i) store(5 + i, gradient.third[i]);
+    }
+  }
+
+  /// The block of the third derivatives.
+  void along_third(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight) {
+    const CurvatureFrame<T, true> frame(jet);
+    const Curvature<T>& k = frame.value();
+    using Number = DualNumber<T, 4>;
+    Curvature<Number> moved, adjoint{};
+    moved.p = Number(k.p);
+    moved.q = Number(k.q);
+    moved.r = Number(k.r);
+    for (int i = 0; i < 4; ++i) moved.c[i] = Number(k.c[i]);
+    for (int i = 0; i < 4; ++i) {
+      T t[4] = {}, c[4];
+      t[i] += 1.0;
+      frame.third_to_frame(t, c);
+      for (int j = 0; j < 4; ++j) moved.c[j].tangent[i] = c[j];
+    }
+    weighted_density<true>(f.weights, moved, Number(weight * k.area), adjoint);
+    const Vec3<T>& normal = frame.normal();
+    const T n[3] = {normal.x, normal.y, normal.z};
+    for (int i = 0; i < 4; ++i) {
+      T c[4], t[4];
+      for (int j = 0; j < 4; ++j) c[j] = adjoint.c[j].tangent[i];
+      frame.third_from_frame(c, t);
+      for (int j = 0; j < 4; ++j) {
+        for (int a = 0; a < 3; ++a) {
+          for (int b = 0; b < 3; ++b) entries_[index(5 + i, a)][index(5 + j, b)] = n[a] * n[b] * t[j];
+        }
+      }
+    }
+  }
+
+  T entries_[kSize][kSize];
+};
+
+}  // namespace umbilic

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Metrics that follow the surface: built at a surface in parts, used until the next is begun.
+#pragma once
+
+#include <string_view>
+
+#include "energy/surface_energy.h"
+#include "optimize/objective.h"
+
+namespace umbilic {
+
+class SurfaceMetric : public Metric {
+ public:
+  /// Starts to build the metric at a surface with these control points.
+  virtual void begin(const Points& control) = 0;
+  /// Does a part of the work, of about the cost of one energy evaluation; returns whether the metric is ready.
+  virtual bool advance() = 0;
+  virtual std::string_view name() const = 0;
+};
+
+}  // namespace umbilic
