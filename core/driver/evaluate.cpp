@@ -29,7 +29,7 @@ double central_difference(const F& f, double h) {
 }  // namespace
 
 Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels) {
-  Result<RefinedCage> refined = refine(cage, levels, false);
+  Result<RefinedCage> refined = refine_to_evaluable(cage, levels, false);
   if (!refined) return refined.error();
   Weights bending{};
   bending[kBending] = 1;
@@ -41,7 +41,7 @@ Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels) {
 Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, CapKind cap) {
   Error error;
   if (!usable(weights, error)) return error;
-  Result<RefinedCage> refined = refine(cage, 0, false);
+  Result<RefinedCage> refined = refine_to_evaluable(cage, 0, false);
   if (!refined) return refined.error();
   if (diverges(refined->mesh, cap, weights, error)) return error;
   const Surface surface(std::move(refined).value(), cap, weights);

@@ -16,7 +16,7 @@ namespace umbilic {
 namespace {
 
 /// Iterations after which a metric costs less than the iterations that a fresh one saves.
-constexpr int kMetricLifetime = 25;
+constexpr int kMetricLifetime = 10;
 
 /// Convergence is relative to at least this energy, so that functionals whose infimum is 0 end: a millionth of a
 /// sphere's bending.
@@ -27,32 +27,55 @@ constexpr double kLargestStep = 0.1;
 
 double extent(const Points& points) { return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff(); }
 
-std::unique_ptr<SurfaceMetric> make_metric(const Surface& surface, const LevelOptions& options) {
-  switch (options.metric) {
-    case MetricChoice::kIdentity: return nullptr;
-    case MetricChoice::kSobolev: return std::make_unique<SobolevMetric>(surface.energy(), surface.coordinates());
-    case MetricChoice::kAutomatic:
-    case MetricChoice::kHessian:
-      return std::make_unique<HessianMetric>(surface.energy(), surface.coordinates(), hessian_rule(options.cap));
-  }
-  return nullptr;
-}
-
 class IdentityMetric : public Metric {
  public:
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override { return gradient; }
 };
 const IdentityMetric kIdentityMetric;
 
+/// Null for the identity.
+std::unique_ptr<SurfaceMetric> make_metric(const Surface& surface, const Unknowns& unknowns,
+                                           const LevelOptions& options) {
+  switch (options.metric) {
+    case MetricChoice::kIdentity: return nullptr;
+    case MetricChoice::kSobolev: return std::make_unique<SobolevMetric>(surface.energy(), unknowns);
+    case MetricChoice::kAutomatic:
+    case MetricChoice::kHessian:
+      return std::make_unique<HessianMetric>(surface.layout(), unknowns, options.weights, hessian_rule(options.cap));
+  }
+  return nullptr;
+}
+
+Unknowns unknowns_of(const RefinedCage& cage, const Coordinates& coordinates, const Surface& surface) {
+  Coordinates fine(surface.mesh(), surface.symmetry());
+  if (surface.level() == cage.level) return Unknowns(std::move(fine));
+  Refinement step = catmull_clark(cage.mesh);
+  Eigen::SparseMatrix<double> stencil = step.stencil;
+  for (int level = cage.level + 1; level < surface.level(); ++level) {
+    step = catmull_clark(step.mesh);
+    stencil = (Eigen::SparseMatrix<double>(step.stencil) * stencil).eval();
+  }
+  return Unknowns(std::move(fine), coordinates, stencil);
+}
+
 }  // namespace
 
-Level::Level(RefinedCage start, const LevelOptions& options)
+Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options)
     : options_(options),
-      surface_(std::move(start), options.cap, options.weights),
-      objective_(surface_.energy(), surface_.coordinates()),
-      metric_(make_metric(surface_, options)) {
+      start_(std::move(start)),
+      coordinates_(start_.mesh, start_.symmetry),
+      surface_(refine(start_, evaluated_level - start_.level), options.cap, options.weights),
+      unknowns_(unknowns_of(start_, coordinates_, surface_)),
+      objective_(surface_.energy(), unknowns_),
+      metric_(make_metric(surface_, unknowns_, options)) {
   if (metric_) metric_->begin(surface_.start());
   building_ = metric_ != nullptr;
+}
+
+RefinedCage Level::best_cage() const {
+  RefinedCage cage = start_;
+  if (lbfgs_) cage.control = coordinates_.control(lbfgs_->best());
+  return cage;
 }
 
 void Level::start() {
@@ -60,9 +83,9 @@ void Level::start() {
   options.max_iterations = options_.max_iterations;
   options.tolerance = options_.tolerance;
   options.floor = kEnergyFloor;
-  options.max_displacement = kLargestStep * extent(surface_.start());
+  options.max_displacement = kLargestStep * extent(start_.control);
   const Metric& metric = metric_ ? static_cast<const Metric&>(*metric_) : kIdentityMetric;
-  lbfgs_ = std::make_unique<Lbfgs>(objective_, metric, surface_.coordinates().unknowns(surface_.start()), options);
+  lbfgs_ = std::make_unique<Lbfgs>(objective_, metric, coordinates_.unknowns(start_.control), options);
 }
 
 bool Level::metric_is_stale() const {
@@ -78,7 +101,10 @@ bool Level::step() {
   if (building_) {
     if (!metric_->advance()) return false;
     building_ = false;
-    if (lbfgs_) metric_iteration_ = lbfgs_->iterations();
+    if (lbfgs_) {
+      metric_iteration_ = lbfgs_->iterations();
+      lbfgs_->metric_changed();
+    }
   }
   if (!lbfgs_) {
     start();
@@ -96,7 +122,7 @@ LevelReport Level::report(const EnergyReport& energies) const {
   LevelReport report;
   report.level = number();
   report.patches = surface_.mesh().face_count();
-  report.unknowns = surface_.coordinates().count();
+  report.unknowns = unknowns_.count();
   report.energy_reported = surface_.objective(energies);
   report.energy = lbfgs_ && lbfgs_->evaluations() > 0 ? lbfgs_->best_value()
                                                       : surface_.energy().evaluate(surface_.start(), nullptr).energy;

@@ -23,18 +23,20 @@ struct LevelOptions {
 
 class Level {
  public:
-  Level(RefinedCage start, const LevelOptions& options);
+  /// Moves the points of `start`, and evaluates the surface on the mesh of `evaluated_level` >= start.level.
+  Level(RefinedCage start, int evaluated_level, const LevelOptions& options);
 
   /// One energy evaluation, or a part of a metric of no greater cost. Returns whether the level has ended.
   bool step();
   void cancel();
 
   bool preparing() const { return !lbfgs_; }
-  int number() const { return surface_.level(); }
+  int number() const { return start_.level; }
   const Surface& surface() const { return surface_; }
-  /// Control points of the best surface so far.
-  Points best() const { return lbfgs_ ? surface_.coordinates().control(lbfgs_->best()) : surface_.start(); }
-  RefinedCage best_cage() const { return {number(), surface_.mesh(), best(), surface_.symmetry()}; }
+  /// Control points on the evaluated mesh of the best surface so far.
+  Points best() const { return lbfgs_ ? unknowns_.control(lbfgs_->best()) : surface_.start(); }
+  /// The mesh whose points are moved, with the best ones so far.
+  RefinedCage best_cage() const;
   /// Null while preparing.
   const Lbfgs* lbfgs() const { return lbfgs_.get(); }
 
@@ -46,7 +48,10 @@ class Level {
   bool metric_is_stale() const;
 
   LevelOptions options_;
+  RefinedCage start_;
+  Coordinates coordinates_;  // of `start_`
   Surface surface_;
+  Unknowns unknowns_;
   SurfaceObjective objective_;
   std::unique_ptr<SurfaceMetric> metric_;
   bool building_ = false;

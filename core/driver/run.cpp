@@ -44,6 +44,7 @@ bool in_range(const RunOptions& options, Error& error) {
 
 struct Run::State {
   RunOptions options;
+  int required_level = 0;  // the first that can be evaluated
   std::unique_ptr<Level> level;
   std::vector<LevelReport> levels;
   Progress progress;
@@ -101,7 +102,8 @@ struct Run::State {
       progress.phase = Phase::kDone;
       return;
     }
-    level = std::make_unique<Level>(refine(level->best_cage()), level_options());
+    const RefinedCage finer = refine(level->best_cage(), 1);
+    level = std::make_unique<Level>(finer, std::max(finer.level, required_level), level_options());
     energies.reset();
     progress.phase = Phase::kPrepare;
     update_progress();
@@ -111,18 +113,14 @@ struct Run::State {
 Result<Run> Run::create(const Cage& cage, const RunOptions& options) {
   Error error;
   if (!in_range(options, error)) return error;
-  Result<RefinedCage> refined = refine(cage, options.first_level, options.symmetry);
-  if (!refined) return refined.error();
-  if (diverges(refined->mesh, options.cap, options.weights, error)) return error;
-  const double last_faces =
-      refined->mesh.face_count() * std::pow(4.0, std::max(0, options.last_level - refined->level));
-  if (last_faces > kMaxFaces) {
-    return Error{fmt::format("level {} would have {:.3g} faces; at most {} are possible", options.last_level,
-                             last_faces, kMaxFaces)};
-  }
+  Result<RefinedCage> prepared = prepare(cage, options.last_level, options.symmetry);
+  if (!prepared) return prepared.error();
+  if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
   auto state = std::make_unique<State>();
   state->options = options;
-  state->level = std::make_unique<Level>(std::move(refined).value(), state->level_options());
+  state->required_level = required_level(prepared->mesh).value();
+  const RefinedCage start = refine(std::move(prepared).value(), options.first_level);
+  state->level = std::make_unique<Level>(start, std::max(start.level, state->required_level), state->level_options());
   state->update_progress();
   return Run(std::move(state));
 }
@@ -162,7 +160,10 @@ const Progress& Run::progress() const { return state_->progress; }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
 const EnergyReport& Run::energies() const { return state_->report_energies(); }
 
-Cage Run::control_mesh() const { return to_cage(state_->level->surface().mesh(), state_->level->best()); }
+Cage Run::control_mesh() const {
+  const RefinedCage cage = state_->level->best_cage();
+  return to_cage(cage.mesh, cage.control);
+}
 
 LimitMesh Run::limit_mesh(int density) const {
   const Surface& surface = state_->level->surface();

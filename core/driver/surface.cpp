@@ -9,30 +9,43 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
 
 namespace umbilic {
 
-Result<RefinedCage> refine(const Cage& cage, int level, bool symmetric) {
-  RefinedCage refined{0, PolygonMesh(cage), cage.vertices, {}};
-  const PolygonMesh& mesh = refined.mesh;
+Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric) {
+  RefinedCage result{0, PolygonMesh(cage), cage.vertices, {}};
+  const PolygonMesh& mesh = result.mesh;
   const Result<int> required = required_level(mesh);
   if (!required) return required.error();
-  const int steps = std::max(level, *required);
+  const int steps = std::max(last_level, *required);
   const double faces = steps == 0 ? mesh.face_count() : mesh.halfedge_count() * std::pow(4.0, steps - 1);
   if (faces > kMaxFaces) {
     return Error{fmt::format("level {} would have {:.3g} faces; at most {} are possible", steps, faces, kMaxFaces)};
   }
-  if (symmetric) refined.symmetry = find_symmetry(mesh, refined.control);
-  const Coordinates coordinates(mesh, refined.symmetry);
-  refined.control = coordinates.control(coordinates.unknowns(refined.control));
-  while (refined.level < steps) refined = refine(refined);
-  return refined;
+  if (symmetric) result.symmetry = find_symmetry(mesh, result.control);
+  const Coordinates coordinates(mesh, result.symmetry);
+  result.control = coordinates.control(coordinates.unknowns(result.control));
+  return result;
 }
 
-RefinedCage refine(const RefinedCage& cage) {
-  Refinement finer = catmull_clark(cage.mesh);
-  return {cage.level + 1, std::move(finer.mesh), finer.stencil * cage.control, refined(cage.symmetry, cage.mesh)};
+RefinedCage refine(RefinedCage cage, int steps) {
+  for (; steps > 0; --steps) {
+    Refinement finer = catmull_clark(cage.mesh);
+    cage.symmetry = refined(cage.symmetry, cage.mesh);
+    cage.control = (finer.stencil * cage.control).eval();
+    cage.mesh = std::move(finer.mesh);
+    ++cage.level;
+  }
+  return cage;
+}
+
+Result<RefinedCage> refine_to_evaluable(const Cage& cage, int level, bool symmetric) {
+  Result<RefinedCage> prepared = prepare(cage, level, symmetric);
+  if (!prepared) return prepared.error();
+  const int steps = std::max(level, required_level(prepared->mesh).value());
+  return refine(std::move(prepared).value(), steps);
 }
 
 bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Error& error) {
@@ -51,7 +64,6 @@ bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Erro
 Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights)
     : cage_(std::move(cage)),
       weights_(weights),
-      coordinates_(cage_.mesh, cage_.symmetry),
       layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry)),
       jets_(layout_, minimizing_rule(cap)),
       energy_(jets_, weights) {}

@@ -8,7 +8,7 @@
 #include "driver/report.h"
 #include "driver/rules.h"
 #include "energy/surface_energy.h"
-#include "mesh/coordinates.h"
+#include "mesh/symmetry.h"
 
 namespace umbilic {
 
@@ -20,12 +20,16 @@ struct RefinedCage {
   SymmetryGroup symmetry;  ///< that the optimizer keeps; C1 keeps none
 };
 
-/// `cage` with its symmetry group (or C1 unless `symmetric`) after `level` Catmull-Clark steps, or as many as it needs
-/// to be evaluable. Fails as `required_level`, and where the mesh would have more than kMaxFaces faces.
 inline constexpr int kMaxFaces = 2'000'000;
-Result<RefinedCage> refine(const Cage& cage, int level, bool symmetric);
-/// The next level of the same surface.
-RefinedCage refine(const RefinedCage& cage);
+
+/// `cage` with its symmetry group (or C1 unless `symmetric`) at level 0; its points are made exactly symmetric. Fails
+/// as `required_level`, and where the mesh after `last_level` steps would have more than kMaxFaces faces.
+Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric);
+/// After so many further Catmull-Clark steps.
+RefinedCage refine(RefinedCage cage, int steps);
+
+/// `cage` after `level` Catmull-Clark steps, or as many as it needs to be evaluable. Fails as `prepare`.
+Result<RefinedCage> refine_to_evaluable(const Cage& cage, int level, bool symmetric);
 
 class Surface {
  public:
@@ -37,7 +41,6 @@ class Surface {
   const SymmetryGroup& symmetry() const { return cage_.symmetry; }
   /// The control points that the surface was made with.
   const Points& start() const { return cage_.control; }
-  const Coordinates& coordinates() const { return coordinates_; }
   /// One patch of each orbit.
   const PatchLayout& layout() const { return layout_; }
   /// All patches.
@@ -53,7 +56,6 @@ class Surface {
  private:
   RefinedCage cage_;
   Weights weights_;
-  Coordinates coordinates_;
   PatchLayout layout_;
   JetEvaluator jets_;
   SurfaceEnergy energy_;

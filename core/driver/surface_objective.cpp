@@ -12,10 +12,10 @@ constexpr double kSmallestRegularity = 1e-9;
 }  // namespace
 
 void SurfaceObjective::evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const {
-  coordinates_.control(unknowns, control_);
+  unknowns_.control(unknowns, control_);
   const EnergyValue value = energy_.evaluate(control_, &gradient_);
   result.value = value.energy;
-  coordinates_.pull_back(gradient_, result.gradient);
+  unknowns_.pull_back(gradient_, result.gradient);
   result.degenerate = !(value.regularity > kSmallestRegularity);
 }
 

@@ -143,4 +143,17 @@ Coordinates::Block Coordinates::block(int vertex) const {
   return {rows.first, rows.dimension, rows.basis.leftCols(rows.dimension)};
 }
 
+Eigen::SparseMatrix<double> Coordinates::matrix() const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int v = 0; v < vertex_count_; ++v) {
+    const Block rows = block(v);
+    for (int k = 0; k < rows.dimension; ++k) {
+      for (int c = 0; c < 3; ++c) entries.emplace_back(3 * v + c, rows.first + k, rows.basis(c, k));
+    }
+  }
+  Eigen::SparseMatrix<double> result(3 * vertex_count_, count_);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
 }  // namespace umbilic

@@ -3,6 +3,7 @@
 /// Linear coordinates of the control points: all of them, or those that are symmetric under a group.
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "mesh/symmetry.h"
@@ -43,6 +44,8 @@ class Coordinates {
   void pull_back(const Points& gradient, Eigen::VectorXd& unknowns) const;
 
   Block block(int vertex) const;
+  /// B, 3 vertex_count x count.
+  Eigen::SparseMatrix<double> matrix() const;
 
  private:
   /// Columns of `basis` from `dimension` on are not used.

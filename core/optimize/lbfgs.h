@@ -41,10 +41,10 @@ class Lbfgs {
     if (!stop_) stop_ = StopReason::kCancelled;
   }
 
-  /// Whether the next `step` starts a new line search, so that the metric may be exchanged.
+  /// Whether the next `step` starts a new line search, so that the metric may change.
   bool between_iterations() const { return !search_; }
-  /// Takes effect with the next direction; the curvature pairs stay.
-  void set_metric(const Metric& metric) { metric_ = &metric; }
+  /// Drops the curvature pairs, which a metric that knows the Hessian here has no need of.
+  void metric_changed() { pairs_.clear(); }
 
   const Eigen::VectorXd& best() const { return best_; }
   double best_value() const { return best_value_; }
@@ -67,7 +67,7 @@ class Lbfgs {
   Eigen::VectorXd direction() const;
 
   const Objective& objective_;
-  const Metric* metric_;
+  const Metric& metric_;
   LbfgsOptions options_;
 
   Eigen::VectorXd unknowns_, gradient_;

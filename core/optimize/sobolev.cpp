@@ -11,10 +11,11 @@ constexpr int kSamplesPerPart = 3000;
 
 }  // namespace
 
-SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Coordinates& coordinates)
+SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns)
     : energy_(energy),
-      scalar_(coordinates.free()),
-      assembly_(scalar_ ? PatchAssembly(energy.layout()) : PatchAssembly(energy.layout(), coordinates)),
+      unknowns_(unknowns),
+      scalar_(unknowns.coordinates().free() && !unknowns.coarse()),
+      assembly_(scalar_ ? PatchAssembly(energy.layout()) : PatchAssembly(energy.layout(), unknowns.coordinates())),
       form_(energy.layout(), energy.weights()) {}
 
 void SobolevMetric::begin(const Points& control) {
@@ -39,7 +40,8 @@ bool SobolevMetric::advance() {
       break;
     }
     case Stage::kFactor: {
-      const Eigen::SparseMatrix<double> matrix = assembly_.lower(values_);
+      Eigen::SparseMatrix<double> matrix = assembly_.lower(values_);
+      if (unknowns_.coarse()) matrix = unknowns_.reduce(matrix);
       if (!analyzed_) factor_.analyzePattern(matrix);
       analyzed_ = true;
       factor_.factorize(matrix);

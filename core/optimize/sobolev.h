@@ -9,6 +9,7 @@
 #include "optimize/patch_assembly.h"
 #include "optimize/sobolev_form.h"
 #include "optimize/surface_metric.h"
+#include "optimize/unknowns.h"
 
 namespace umbilic {
 
@@ -16,8 +17,8 @@ namespace umbilic {
 /// serves all three coordinates.
 class SobolevMetric : public SurfaceMetric {
  public:
-  /// `energy` and `coordinates` outlive the metric.
-  SobolevMetric(const SurfaceEnergy& energy, const Coordinates& coordinates);
+  /// `energy` and `unknowns` outlive the metric.
+  SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns);
 
   void begin(const Points& control) override;
   bool advance() override;
@@ -28,6 +29,7 @@ class SobolevMetric : public SurfaceMetric {
   enum class Stage { kArea, kPatches, kFactor, kReady };
 
   const SurfaceEnergy& energy_;
+  const Unknowns& unknowns_;
   bool scalar_;
   PatchAssembly assembly_;
   SobolevForm form_;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Adds both matrices of every patch in one pass.
+#include "optimize/hessian_assembly.h"
+
+namespace umbilic {
+namespace {
+
+/// Samples whose contributions one `advance` adds.
+constexpr int kSamplesPerPart = 300;
+
+}  // namespace
+
+HessianAssembly::HessianAssembly(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
+                                 const QuadratureRule& rule)
+    : unknowns_(unknowns),
+      jets_(layout, rule),
+      energy_(jets_, weights),
+      assembly_(layout, unknowns.coordinates()),
+      sobolev_(layout, weights),
+      hessian_(layout, rule, weights) {}
+
+void HessianAssembly::begin(const Points& control) {
+  control_ = control;
+  stage_ = Stage::kFactors;
+}
+
+bool HessianAssembly::advance() {
+  switch (stage_) {
+    case Stage::kFactors: {
+      EnergyValue value;
+      factors_.resize(unknowns_.count(), energy_.third_order() ? 2 : 0);
+      if (energy_.third_order()) {
+        Points third, area;
+        value = energy_.evaluate_factors(control_, third, area);
+        factors_ << unknowns_.pull_back(area), unknowns_.pull_back(third);
+      } else {
+        value = energy_.evaluate(control_, nullptr);
+      }
+      hessian_.move_to(control_, value);
+      sobolev_.move_to(control_, value.area);
+      hessian_values_.assign(assembly_.nonzeros(), 0.0);
+      sobolev_values_.assign(assembly_.nonzeros(), 0.0);
+      cursor_ = {};
+      stage_ = Stage::kPatches;
+      break;
+    }
+    case Stage::kPatches: {
+      const auto add = [&](int set, int patch) {
+        assembly_.add(set, patch, hessian_.patch(set, patch), hessian_.columns(set), hessian_values_);
+        assembly_.add_scalar(set, patch, sobolev_.patch(set, patch), sobolev_values_);
+        return hessian_.samples(set);
+      };
+      if (cursor_.visit(jets_.layout(), kSamplesPerPart, add)) stage_ = Stage::kReduce;
+      break;
+    }
+    case Stage::kReduce:
+      if (unknowns_.coarse()) {
+        reduced_hessian_ = unknowns_.reduce(assembly_.lower(hessian_values_));
+        reduced_sobolev_ = unknowns_.reduce(assembly_.lower(sobolev_values_));
+      }
+      stage_ = Stage::kReady;
+      break;
+    case Stage::kReady: break;
+  }
+  return stage_ == Stage::kReady;
+}
+
+HessianAssembly::Matrix HessianAssembly::combine(double hessian_factor, double sobolev_factor) const {
+  if (unknowns_.coarse()) return hessian_factor * reduced_hessian_ + sobolev_factor * reduced_sobolev_;
+  std::vector<double> values(assembly_.nonzeros());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = hessian_factor * hessian_values_[i] + sobolev_factor * sobolev_values_[i];
+  }
+  return assembly_.lower(values);
+}
+
+}  // namespace umbilic
