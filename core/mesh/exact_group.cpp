@@ -69,9 +69,13 @@ bool make_exact(const Elements& elements, std::vector<Symmetry>& generators) {
   for (int step = 0; step < kMaxSteps && error > kRounding; ++step) {
     std::vector<Symmetry> better = generators;
     for (std::size_t g = 0; g < generators.size(); ++g) {
-      Matrix3d mean = Matrix3d::Zero();
-      for (int h = 0; h < elements.count(); ++h) mean += r[elements.left[g][h]] * r[h].transpose();
-      better[g].isometry = nearest_orthogonal(mean);
+      // The mean as a correction of R_g, so that a sum over thousands of elements rounds like a small one.
+      const Matrix3d& isometry = generators[g].isometry;
+      Matrix3d correction = Matrix3d::Zero();
+      for (int h = 0; h < elements.count(); ++h) {
+        correction += (r[elements.left[g][h]] - isometry * r[h]) * r[h].transpose();
+      }
+      better[g].isometry = nearest_orthogonal(isometry + correction / elements.count());
     }
     std::vector<Matrix3d> products = isometries(elements, better);
     const double remaining = defect(elements, better, products);

@@ -39,11 +39,11 @@ FlagMatching::FlagMatching(const PolygonMesh& mesh, const Points& points, const 
     const double ra = radius_[mesh_.origin(a)], rb = radius_[mesh_.origin(b)];
     return ra != rb ? ra < rb : a < b;
   });
-  find_components();
+  find_components(extent);
   choose_base(extent);
 }
 
-void FlagMatching::find_components() {
+void FlagMatching::find_components(double extent) {
   for (int first = 0; first < mesh_.halfedge_count(); ++first) {
     if (component_[first] >= 0) continue;
     const int number = static_cast<int>(components_.size());
@@ -60,7 +60,6 @@ void FlagMatching::find_components() {
     for (const int h : queue_) scatter += point(mesh_.origin(h)) * point(mesh_.origin(h)).transpose();
     const double count = static_cast<double>(queue_.size());
     const Vector3 squares = Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter / count).eigenvalues();
-    const double extent = *std::max_element(radius_.begin(), radius_.end());
     int dimension = 0;
     for (const double square : squares) dimension += square > kFlat * kFlat * extent * extent;
     components_.push_back({first, static_cast<int>(queue_.size()), dimension});

@@ -25,7 +25,7 @@ inline Flag image_of_flag(const Automorphism& map, Flag flag) {
 /// that fits best then maps the other components.
 class FlagMatching {
  public:
-  /// Every vertex has an edge; some point is not at the center.
+  /// `extent` is the largest distance of a point from the center, and positive. Every vertex has an edge.
   FlagMatching(const PolygonMesh& mesh, const Points& points, const Vector3& center, double extent);
 
   /// Whether the points of some component span a plane with the center; without one there is no base.
@@ -42,13 +42,12 @@ class FlagMatching {
 
  private:
   struct Component {
-    int first = 0;  ///< its first half-edge
-    int size = 0;   ///< number of half-edges
-    int dimension = 0;
+    int first = 0;      ///< its first half-edge
+    int size = 0;       ///< number of half-edges
+    int dimension = 0;  ///< of the space that its points span with the center
   };
 
-  void find_components();
-  int dimension_of(const std::vector<int>& vertices, double flat) const;
+  void find_components(double extent);
   void choose_base(double extent);
   Vector3 point(int v) const { return points_.row(v).transpose(); }
   /// Whether one step of the extension is possible: faces, valences, and either lengths or, if given, positions.
@@ -56,7 +55,8 @@ class FlagMatching {
   /// Extends `map` from h to its component; leaves it as it was where that fails.
   bool extend(int h, Flag image, const Eigen::Matrix3d* isometry, double tolerance, Automorphism& map);
   bool extend_to_others(const Eigen::Matrix3d& isometry, double tolerance, Automorphism& map);
-  /// The orthogonal matrix that maps the points of `queue_` best to their images.
+  /// The orthogonal matrix that maps the points that `map` reaches best to their images. It is unique up to its
+  /// sign off the plane of points of dimension 2; then its determinant is negative where the map reverses.
   Eigen::Matrix3d fit(const Automorphism& map, int dimension) const;
   bool within(const Symmetry& symmetry, double tolerance) const;
 
