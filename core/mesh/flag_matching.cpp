@@ -18,6 +18,9 @@ using Eigen::Matrix3d;
 /// it they lie.
 constexpr double kFlat = 10 * kSymmetryTolerance;
 
+/// How much farther off than points of the base component others may be, before the isometry is fitted to them as well.
+constexpr double kLever = 10;
+
 /// Sizes of the cells into which half-edges are sorted to guess how many resemble each other.
 constexpr double kCell = 20 * kSymmetryTolerance;
 
@@ -61,8 +64,9 @@ void FlagMatching::find_components(double extent) {
     const double count = static_cast<double>(queue_.size());
     const Vector3 squares = Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter / count).eigenvalues();
     int dimension = 0;
-    for (const double square : squares) dimension += square > kFlat * kFlat * extent * extent;
-    components_.push_back({first, static_cast<int>(queue_.size()), dimension});
+    while (dimension < 3 && squares[2 - dimension] > kFlat * kFlat * extent * extent) ++dimension;
+    const double spread = dimension > 0 ? std::sqrt(squares[3 - dimension]) : 0;
+    components_.push_back({first, static_cast<int>(queue_.size()), dimension, spread});
   }
 }
 
@@ -70,11 +74,16 @@ void FlagMatching::choose_base(double extent) {
   int dimension = 0;
   for (const Component& component : components_) dimension = std::max(dimension, component.dimension);
   if (dimension < 2) return;
+  double spread = 0;
+  for (const Component& component : components_) {
+    if (component.dimension == dimension) spread = std::max(spread, component.spread);
+  }
   using Key = std::array<int, 7>;
   std::vector<std::pair<Key, int>> keys;
   const auto cell = [&](double length) { return static_cast<int>(length / (kCell * extent)); };
   for (int h = 0; h < mesh_.halfedge_count(); ++h) {
-    if (components_[component_[h]].dimension < dimension) continue;
+    const Component& component = components_[component_[h]];
+    if (component.dimension < dimension || component.spread < spread / 2) continue;
     const int o = mesh_.origin(h), t = mesh_.target(h);
     keys.push_back({{mesh_.valence(o), mesh_.valence(t), mesh_.face_size(mesh_.face(h)), cell(radius_[o]),
                      cell(radius_[t]), cell(length_[h]), cell(length_[mesh_.next(h)])},
@@ -139,34 +148,39 @@ bool FlagMatching::extend(int h, Flag image, const Matrix3d* isometry, double to
   return consistent;
 }
 
+std::vector<Flag> FlagMatching::images_of(int h, const Matrix3d& isometry, bool reverses, double tolerance) const {
+  const int v = mesh_.origin(h), end = mesh_.target(h);
+  const auto low = std::lower_bound(by_radius_.begin(), by_radius_.end(), radius_[v] - tolerance,
+                                    [&](int other, double radius) { return radius_[mesh_.origin(other)] < radius; });
+  std::vector<Flag> images;
+  for (auto i = low; i != by_radius_.end() && radius_[mesh_.origin(*i)] <= radius_[v] + tolerance; ++i) {
+    const Flag image{reverses ? mesh_.twin(*i) : *i, reverses};
+    if (components_[component_[*i]].size == components_[component_[h]].size && agree(h, image, &isometry, tolerance) &&
+        (isometry * point(end) - point(mesh_.target(*i))).squaredNorm() <= tolerance * tolerance) {
+      images.push_back(image);
+    }
+  }
+  std::sort(images.begin(), images.end(), [&](Flag a, Flag b) {
+    return std::pair(component_[a.halfedge], a.halfedge) < std::pair(component_[b.halfedge], b.halfedge);
+  });
+  return images;
+}
+
 bool FlagMatching::extend_to_others(const Matrix3d& isometry, double tolerance, Automorphism& map) {
   std::vector<bool> taken(components_.size(), false);
-  const int base_component = component_[base_];
   taken[component_[map.halfedges[base_]]] = true;
-  for (int c = 0; c < static_cast<int>(components_.size()); ++c) {
-    if (c == base_component) continue;
-    const int h = components_[c].first, v = mesh_.origin(h), end = mesh_.target(h);
-    // The image of v leaves the component's image along one of the half-edges of its radius.
-    const auto low = std::lower_bound(by_radius_.begin(), by_radius_.end(), radius_[v] - tolerance,
-                                      [&](int other, double radius) { return radius_[mesh_.origin(other)] < radius; });
-    std::vector<Flag> images;
-    for (auto i = low; i != by_radius_.end() && radius_[mesh_.origin(*i)] <= radius_[v] + tolerance; ++i) {
-      const Flag image{map.reverses ? mesh_.twin(*i) : *i, map.reverses};
-      const int target = mesh_.target(*i), component = component_[*i];
-      if (!taken[component] && components_[component].size == components_[c].size &&
-          agree(h, image, &isometry, tolerance) &&
-          (isometry * point(end) - point(target)).squaredNorm() <= tolerance * tolerance) {
-        images.push_back(image);
-      }
+  const auto place = [&](int h, double slack) {
+    for (const Flag image : images_of(h, isometry, map.reverses, slack)) {
+      const int target = component_[image.halfedge];
+      if (taken[target] || !extend(h, image, &isometry, slack, map)) continue;
+      taken[target] = true;
+      return true;
     }
-    // Components that coincide keep their order, so that products of symmetries are found as well.
-    std::sort(images.begin(), images.end(), [&](Flag a, Flag b) {
-      return std::pair(component_[a.halfedge], a.halfedge) < std::pair(component_[b.halfedge], b.halfedge);
-    });
-    const auto found = std::find_if(images.begin(), images.end(),
-                                    [&](Flag image) { return extend(h, image, &isometry, tolerance, map); });
-    if (found == images.end()) return false;
-    taken[component_[found->halfedge]] = true;
+    return false;
+  };
+  for (int c = 0; c < static_cast<int>(components_.size()); ++c) {
+    if (c == component_[base_]) continue;
+    if (!place(components_[c].first, tolerance) && !place(components_[c].first, kLever * tolerance)) return false;
   }
   return true;
 }

@@ -30,8 +30,8 @@ class FlagMatching {
 
   /// Whether the points of some component span a plane with the center; without one there is no base.
   bool has_base() const { return base_ >= 0; }
-  /// The half-edge, of those whose component spans the most dimensions, that resembles the fewest others. Taken as not
-  /// reversed it is the base flag.
+  /// The half-edge that resembles the fewest others, of the components that span the most dimensions and are about as
+  /// spread out as any. Taken as not reversed it is the base flag.
   int base() const { return base_; }
 
   /// The flags that resemble the base flag within `tolerance`, an absolute length.
@@ -45,6 +45,7 @@ class FlagMatching {
     int first = 0;      ///< its first half-edge
     int size = 0;       ///< number of half-edges
     int dimension = 0;  ///< of the space that its points span with the center
+    double spread = 0;  ///< least root mean square of its points along the axes of that space
   };
 
   void find_components(double extent);
@@ -54,6 +55,10 @@ class FlagMatching {
   bool agree(int h, Flag image, const Eigen::Matrix3d* isometry, double tolerance) const;
   /// Extends `map` from h to its component; leaves it as it was where that fails.
   bool extend(int h, Flag image, const Eigen::Matrix3d* isometry, double tolerance, Automorphism& map);
+  /// The flags at the image of h, the components that come first first: components that coincide keep their order, so
+  /// that products of symmetries are found as well.
+  std::vector<Flag> images_of(int h, const Eigen::Matrix3d& isometry, bool reverses, double tolerance) const;
+  /// Extends `map` from the base component to each other, each to the first component in its place.
   bool extend_to_others(const Eigen::Matrix3d& isometry, double tolerance, Automorphism& map);
   /// The orthogonal matrix that maps the points that `map` reaches best to their images. It is unique up to its
   /// sign off the plane of points of dimension 2; then its determinant is negative where the map reverses.

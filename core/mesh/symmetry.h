@@ -14,7 +14,8 @@ namespace umbilic {
 
 /// A cage has a symmetry group where making it exactly symmetric moves no point farther than this, relative to the
 /// largest distance of a point from the centroid. Coordinates that are written with four decimals, on a cage of radius
-/// 1, are off by up to sqrt(3)/2 1e-4. Deviations of half the tolerance never hide a symmetry.
+/// 1, are off by up to sqrt(3)/2 1e-4. Deviations of up to half the
+/// tolerance keep the group.
 inline constexpr double kSymmetryTolerance = 1e-4;
 
 /// An isometry of space, x -> center + isometry (x - center), that maps the points of a mesh to one another as `map`

@@ -133,6 +133,19 @@ TEST(SymmetryComponents, six_cubes_on_the_axes_have_the_symmetry_of_the_octahedr
   EXPECT_EQ(symmetry_of(together(cubes)).name, "C4v");
 }
 
+TEST(SymmetryComponents, small_cages_far_apart_keep_their_group_when_their_coordinates_are_rounded) {
+  // The points of one of them determine the isometry to a tenth of a degree or so.
+  std::vector<Cage> cubes;
+  for (const Vector3& corner : {Vector3(1, 1, 1), Vector3(1, -1, -1), Vector3(-1, 1, -1), Vector3(-1, -1, 1)}) {
+    cubes.push_back(transformed(cube(), 0.02 * Matrix3::Identity(), corner));
+  }
+  Cage cage = transformed(together(cubes), some_rotation());
+  cage.vertices = ((cage.vertices * 1e4).array().round() / 1e4).matrix().eval();
+  const SymmetryGroup group = symmetry_of(cage);
+  EXPECT_EQ(group.name, "Td");
+  expect_exact(cage, group);
+}
+
 TEST(SymmetryComponents, a_cube_around_a_dodecahedron_has_what_both_have) {
   const Cage inner = generate_cage("dodecahedron-frame").value();
   const Cage cage = together({inner, transformed(cube(), 3 * Matrix3::Identity())});
