@@ -21,12 +21,18 @@ struct Symmetric {
       : mesh(cage), points(cage.vertices), group(find_symmetry(mesh, points)), coordinates(mesh, group) {}
 };
 
-std::vector<Cage> cages() {
-  std::vector<Cage> result{cube(), prism(5), trapezohedron(7), generate_cage("torus").value()};
-  for (const PointGroup& group : point_groups()) {
-    result.push_back(transformed(cage_with(group), some_rotation(), {1, 2, 3}));
-  }
-  return result;
+const std::vector<Symmetric>& symmetric_cages() {
+  static const std::vector<Symmetric> cages = [] {
+    std::vector<Symmetric> result;
+    for (const Cage& cage : {cube(), prism(5), trapezohedron(7), generate_cage("torus").value()}) {
+      result.emplace_back(cage);
+    }
+    for (const PointGroup& group : point_groups()) {
+      result.emplace_back(transformed(cage_with(group), some_rotation(), {1, 2, 3}));
+    }
+    return result;
+  }();
+  return cages;
 }
 
 Eigen::VectorXd random_unknowns(const Coordinates& coordinates) {
@@ -43,8 +49,7 @@ Eigen::MatrixXd matrix_of(const Coordinates& coordinates) {
 }
 
 TEST(Coordinates, the_columns_are_orthonormal) {
-  for (const Cage& cage : cages()) {
-    const Symmetric s(cage);
+  for (const Symmetric& s : symmetric_cages()) {
     const Eigen::MatrixXd b = matrix_of(s.coordinates), gram = b.transpose() * b;
     EXPECT_LT((gram - Eigen::MatrixXd::Identity(gram.rows(), gram.rows())).cwiseAbs().maxCoeff(), 4e-15)
         << s.group.name;
@@ -52,8 +57,7 @@ TEST(Coordinates, the_columns_are_orthonormal) {
 }
 
 TEST(Coordinates, the_points_are_offset_plus_matrix_times_unknowns_and_gradients_its_transpose) {
-  for (const Cage& cage : cages()) {
-    const Symmetric s(cage);
+  for (const Symmetric& s : symmetric_cages()) {
     const Eigen::MatrixXd b = matrix_of(s.coordinates);
     const Eigen::VectorXd y = random_unknowns(s.coordinates);
     const Points control = s.coordinates.control(y), offset = s.coordinates.control(Eigen::VectorXd::Zero(y.size()));
@@ -71,16 +75,14 @@ TEST(Coordinates, the_points_are_offset_plus_matrix_times_unknowns_and_gradients
 }
 
 TEST(Coordinates, symmetric_points_come_back_to_rounding) {
-  for (const Cage& cage : cages()) {
-    const Symmetric s(cage);
+  for (const Symmetric& s : symmetric_cages()) {
     const Points back = s.coordinates.control(s.coordinates.unknowns(s.points));
     EXPECT_LT((back - s.points).rowwise().norm().maxCoeff(), 1e-14) << s.group.name;  // extent 2, at distance 4
   }
 }
 
 TEST(Coordinates, any_unknowns_give_points_that_every_generator_keeps) {
-  for (const Cage& cage : cages()) {
-    const Symmetric s(cage);
+  for (const Symmetric& s : symmetric_cages()) {
     const Points control = s.coordinates.control(random_unknowns(s.coordinates));
     for (const Symmetry& generator : s.group.generators) {
       EXPECT_LT(error_of(s.mesh, control, s.group.center, generator), 1e-14) << s.group.name;
@@ -99,8 +101,7 @@ TEST(Coordinates, any_unknowns_give_points_of_at_least_that_symmetry_and_as_a_ru
 
 TEST(Coordinates, there_are_as_many_unknowns_as_the_trace_formula_says) {
   // The dimension of the symmetric points is the mean over the group of trace(R_g) for each vertex that g keeps.
-  for (const Cage& cage : cages()) {
-    const Symmetric s(cage);
+  for (const Symmetric& s : symmetric_cages()) {
     double traces = 0;
     for (const Symmetry& g : all_elements(s.group, s.mesh)) {
       for (int v = 0; v < s.mesh.vertex_count(); ++v) {
@@ -123,8 +124,7 @@ TEST(Coordinates, the_corners_of_a_cube_have_one_unknown_and_its_refinements_1_p
 
 TEST(Coordinates, the_projection_is_orthogonal) {
   // What it takes away is orthogonal to every symmetric displacement.
-  for (const Cage& cage : cages()) {
-    const Symmetric s(cage);
+  for (const Symmetric& s : symmetric_cages()) {
     const Points p = Random(6).points(s.mesh.vertex_count());
     const Points residual = p - s.coordinates.control(s.coordinates.unknowns(p));
     EXPECT_LT(s.coordinates.pull_back(residual).norm(), 1e-13);
@@ -132,8 +132,7 @@ TEST(Coordinates, the_projection_is_orthogonal) {
 }
 
 TEST(Coordinates, the_mean_over_the_group_is_the_projection) {
-  for (const Cage& cage : cages()) {
-    const Symmetric s(cage);
+  for (const Symmetric& s : symmetric_cages()) {
     const Points p = Random(6).points(s.mesh.vertex_count());
     Points mean = Points::Zero(p.rows(), 3);
     const std::vector<Symmetry> elements = all_elements(s.group, s.mesh);

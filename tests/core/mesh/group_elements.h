@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "mesh/symmetry.h"
 
@@ -35,16 +38,36 @@ inline std::vector<Symmetry> all_elements(const SymmetryGroup& group, const Poly
 /// The map is a relabelling that keeps faces, edges and, up to its sense, the order around each face.
 inline void expect_automorphism(const PolygonMesh& mesh, const Automorphism& map) {
   ASSERT_EQ(static_cast<int>(map.halfedges.size()), mesh.halfedge_count());
-  const std::set<int> images(map.halfedges.begin(), map.halfedges.end());
-  ASSERT_EQ(static_cast<int>(images.size()), mesh.halfedge_count());
-  ASSERT_EQ(*images.begin(), 0);
-  ASSERT_EQ(*images.rbegin(), mesh.halfedge_count() - 1);
+  std::vector<bool> taken(map.halfedges.size(), false);
+  for (const int image : map.halfedges) {
+    ASSERT_FALSE(taken.at(image));
+    taken[image] = true;
+  }
   for (int h = 0; h < mesh.halfedge_count(); ++h) {
     const int image = map.halfedges[h];
     ASSERT_EQ(map.halfedges[mesh.twin(h)], mesh.twin(image));
     ASSERT_EQ(map.halfedges[mesh.next(h)], map.reverses ? mesh.previous(image) : mesh.next(image));
     ASSERT_EQ(mesh.face(image), image_of_face(mesh, map, mesh.face(h)));
     ASSERT_EQ(map.reverses ? mesh.target(image) : mesh.origin(image), image_of_vertex(mesh, map, mesh.origin(h)));
+  }
+}
+
+/// Products of the isometries depend only on the element, and are orthogonal, to the rounding of words of a few
+/// letters.
+inline void expect_exact(const PolygonMesh& mesh, const SymmetryGroup& group) {
+  const std::vector<Symmetry> elements = all_elements(group, mesh);
+  ASSERT_EQ(static_cast<int>(elements.size()), group.order);
+  std::map<std::pair<bool, int>, Eigen::Matrix3d> isometries;  // an element is known by the image of a half-edge
+  for (const Symmetry& element : elements) {
+    isometries[{element.map.reverses, element.map.halfedges[0]}] = element.isometry;
+  }
+  ASSERT_EQ(isometries.size(), elements.size());
+  for (const Symmetry& g : group.generators) {
+    EXPECT_LT((g.isometry * g.isometry.transpose() - Eigen::Matrix3d::Identity()).norm(), 3e-15);
+    for (const Symmetry& h : elements) {
+      const std::pair<bool, int> product{g.map.reverses != h.map.reverses, g.map.halfedges[h.map.halfedges[0]]};
+      EXPECT_LT((isometries.at(product) - g.isometry * h.isometry).norm(), 2e-14);
+    }
   }
 }
 

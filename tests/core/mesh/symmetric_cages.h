@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -96,14 +97,14 @@ inline Cage cage_of(const Refined& refined) {
 
 /// A cage whose symmetry group is `group`: its vertices are moved from those of a more symmetric cage by a random
 /// field, averaged over the group.
-inline Cage cage_with(const PointGroup& group, double amount = 0.05, unsigned seed = 1) {
+inline Cage distorted(const PointGroup& group) {
   Cage cage;
   switch (group.supergroup) {
     case Supergroup::kPrismatic: cage = cage_of(refined(prism(2 * group.fold), 2)); break;
     case Supergroup::kOctahedral: cage = cage_of(refined(cube(), 2)); break;
     case Supergroup::kIcosahedral: cage = generate_cage("dodecahedron-frame").value(); break;
   }
-  const Points field = Random(seed).points(cage.vertices.rows());
+  const Points field = Random(1).points(cage.vertices.rows());
   const std::vector<Matrix3> elements = closure(group.generators);
   Points mean = Points::Zero(field.rows(), 3);
   for (const Matrix3& g : elements) {
@@ -114,8 +115,15 @@ inline Cage cage_with(const PointGroup& group, double amount = 0.05, unsigned se
       mean.row(v) += field.row(image) * g;
     }
   }
-  cage.vertices += amount * mean / std::sqrt(static_cast<double>(elements.size()));
+  cage.vertices += 0.05 * mean / std::sqrt(static_cast<double>(elements.size()));
   return cage;
+}
+
+/// The same, made once.
+inline const Cage& cage_with(const PointGroup& group) {
+  static std::map<std::string, Cage> cages;
+  const auto known = cages.find(group.name);
+  return known != cages.end() ? known->second : cages.emplace(group.name, distorted(group)).first->second;
 }
 
 /// The cages side by side as components of one.
