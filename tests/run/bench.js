@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file `npm run bench`: builds the benchmark natively and for WebAssembly, runs both in turn and prints their tables;
- * `npm run bench -- quadrature` prints the errors of quadrature rules instead.
+ * `npm run bench -- quadrature` prints the errors of quadrature rules instead, `npm run bench -- evolver` times Surface Evolver.
  */
 import { execFileSync } from 'node:child_process';
 import { build } from './build.js';
+import { evolverInstalled, evolverMissing, evolverTable, runEvolver } from './evolver.js';
 import { installPackages, installTools } from './install.js';
 
 /** @typedef {{functional: string, cap: string, patches: number, samples: number, samplesPerSecond: number, tableBytes: number}} Throughput */
@@ -97,6 +98,18 @@ function printQuadrature() {
   );
 }
 
+async function printEvolver() {
+  if (!evolverInstalled()) {
+    console.error(evolverMissing);
+    process.exit(1);
+  }
+  const { head, cells } = evolverTable(await runEvolver({ log: console.error }));
+  console.log('Surface Evolver on the genus-2 bending minimizer: 4 W + 8 pi = 112.7668; best of three, one core\n');
+  printTable(head, cells);
+  process.exit();
+}
+
+if (process.argv[2] === 'evolver') await printEvolver();
 const quadrature = process.argv[2] === 'quadrature';
 if (!(await installTools('native', 'wasm')) || !(await installPackages())) process.exit(1);
 if (!(await build('native')) || !(quadrature || (await build('wasm')))) process.exit(1);
