@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "driver/rules.h"
 #include "optimize/hessian_metric.h"
@@ -16,11 +15,11 @@ namespace umbilic {
 namespace {
 
 /// Iterations after which a metric costs less than the iterations that a fresh one saves.
-constexpr int kMetricLifetime = 10;
+constexpr int kHessianLifetime = 10;
+constexpr int kSobolevLifetime = 25;
 
-/// Convergence is relative to at least this energy, so that functionals whose infimum is 0 end: a millionth of a
-/// sphere's bending.
-constexpr double kEnergyFloor = 1e-6 * 8 * std::numbers::pi;
+/// Of levels that only prepare the first evaluable one.
+constexpr double kPreparingTolerance = 1e-3;
 
 /// Largest first displacement of a control point, relative to the cage's extent.
 constexpr double kLargestStep = 0.1;
@@ -79,9 +78,10 @@ RefinedCage Level::best_cage() const {
 }
 
 void Level::start() {
+  const bool evaluable = surface_.level() == start_.level;
   LbfgsOptions options;
   options.max_iterations = options_.max_iterations;
-  options.tolerance = options_.tolerance;
+  options.tolerance = evaluable ? options_.tolerance : std::max(options_.tolerance, kPreparingTolerance);
   options.floor = kEnergyFloor;
   options.max_displacement = kLargestStep * extent(start_.control);
   const Metric& metric = metric_ ? static_cast<const Metric&>(*metric_) : kIdentityMetric;
@@ -89,7 +89,9 @@ void Level::start() {
 }
 
 bool Level::metric_is_stale() const {
-  return metric_ && lbfgs_->between_iterations() && lbfgs_->iterations() - metric_iteration_ >= kMetricLifetime;
+  if (!metric_ || !lbfgs_->between_iterations()) return false;
+  const int lifetime = metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
+  return lbfgs_->iterations() - metric_iteration_ >= lifetime;
 }
 
 bool Level::step() {
@@ -101,9 +103,10 @@ bool Level::step() {
   if (building_) {
     if (!metric_->advance()) return false;
     building_ = false;
+    ++metrics_;
     if (lbfgs_) {
       metric_iteration_ = lbfgs_->iterations();
-      lbfgs_->metric_changed();
+      if (metric_->knows_hessian()) lbfgs_->forget();
     }
   }
   if (!lbfgs_) {
@@ -127,6 +130,9 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.energy = lbfgs_ && lbfgs_->evaluations() > 0 ? lbfgs_->best_value()
                                                       : surface_.energy().evaluate(surface_.start(), nullptr).energy;
   report.stop = StopReason::kCancelled;
+  report.metric = metric_ ? metric_->name() : "identity";
+  report.metrics = metrics_;
+  report.evaluable = surface_.level() == start_.level;
   if (lbfgs_) {
     report.iterations = lbfgs_->iterations();
     report.evaluations = lbfgs_->evaluations();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <numbers>
 
 #include "driver/metric_choice.h"
 #include "driver/surface.h"
@@ -12,6 +13,10 @@
 #include "optimize/surface_metric.h"
 
 namespace umbilic {
+
+/// Convergence is relative to at least this energy, so that functionals whose infimum is 0 end: a millionth of a
+/// sphere's bending.
+inline constexpr double kEnergyFloor = 1e-6 * 8 * std::numbers::pi;
 
 struct LevelOptions {
   CapKind cap;
@@ -56,7 +61,7 @@ class Level {
   std::unique_ptr<SurfaceMetric> metric_;
   bool building_ = false;
   std::unique_ptr<Lbfgs> lbfgs_;
-  int metric_iteration_ = 0;
+  int metric_iteration_ = 0, metrics_ = 0;
   bool cancelled_ = false;
 };
 

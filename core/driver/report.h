@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "cage/cage.h"
@@ -23,8 +24,8 @@ struct EnergyReport {
 };
 
 struct LevelReport {
-  int level = 0;
-  int patches = 0;             ///< faces of the control mesh
+  int level = 0;               ///< Catmull-Clark steps from the cage to the mesh whose points are moved
+  int patches = 0;             ///< faces of the mesh that the surface is evaluated on
   int unknowns = 0;            ///< coordinates that the optimizer moves
   double energy = 0;           ///< by the minimizing rule
   double energy_reported = 0;  ///< by the reporting rule
@@ -32,6 +33,51 @@ struct LevelReport {
   int evaluations = 0;
   double seconds = 0;
   StopReason stop = StopReason::kConverged;
+  std::string_view metric;  ///< "identity", "sobolev" or "hessian"
+  int metrics = 0;          ///< how often the metric was built
+  bool evaluable = true;  ///< whether the moved mesh is the evaluated one; coarser ones only prepare the first of these
+};
+
+/// The symmetry that a run keeps.
+struct GroupReport {
+  std::string name;  ///< Schoenflies symbol
+  int order = 1;
+};
+
+/// What the levels' energies say about their limit.
+enum class LimitStatus {
+  kConverging,     ///< `energy` is the limit to within `error`
+  kTooFewLevels,   ///< fewer than three evaluable levels
+  kNotMinimized,   ///< one of the last three levels did not converge
+  kNotConverging,  ///< the last three levels are in no asymptotic range: the last energy is an upper bound
+};
+
+/// "converging", "too_few_levels", "not_minimized", "not_converging".
+constexpr std::string_view name_of(LimitStatus status) {
+  switch (status) {
+    case LimitStatus::kConverging: return "converging";
+    case LimitStatus::kTooFewLevels: return "too_few_levels";
+    case LimitStatus::kNotMinimized: return "not_minimized";
+    case LimitStatus::kNotConverging: return "not_converging";
+  }
+  return "";
+}
+
+/// See driver/extrapolate.h. Without a limit, `energy` is the last level's and `error` NaN.
+struct LimitReport {
+  LimitStatus status = LimitStatus::kTooFewLevels;
+  double energy = 0;
+  double order = 0;  ///< observed, NaN where it cannot be told
+  double error = 0;  ///< the true limit is within energy +- error
+};
+
+/// Whether the surface of a level is a minimum among all surfaces near it, symmetric or not. See driver/certificate.h.
+struct CertificateReport {
+  int level = 0;
+  int unknowns = 0;  ///< of the full, unreduced Hessian
+  int gauge = 0;     ///< directions removed: those along which the energy cannot change
+  double tau = 0;    ///< eigenvalues of the Hessian relative to the Sobolev product below -tau count as negative
+  int negative = 0;  ///< directions along which the energy decreases to second order
 };
 
 struct EvaluationReport {

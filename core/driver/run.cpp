@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 
+#include "driver/extrapolate.h"
 #include "driver/level.h"
 #include "driver/tessellate.h"
 #include "mesh/hierarchy.h"
@@ -47,6 +48,7 @@ struct Run::State {
   int required_level = 0;  // the first that can be evaluated
   std::unique_ptr<Level> level;
   std::vector<LevelReport> levels;
+  std::vector<LevelEnergy> energies_of_levels;  // of the evaluable ones
   Progress progress;
   double level_seconds = 0;
   bool cancelled = false;
@@ -96,6 +98,13 @@ struct Run::State {
 
   void end_level() {
     levels.push_back(level->report(report_energies()));
+    const LevelReport& report = levels.back();
+    if (report.evaluable) {
+      const double left = options.tolerance * std::max(report.energy_reported, kEnergyFloor);
+      energies_of_levels.push_back({report.energy_reported, left + report_energies().quadrature_error,
+                                    report_energies().functionals[kBending],
+                                    report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff});
+    }
     const bool last =
         cancelled || level->number() >= options.last_level || levels.back().stop == StopReason::kNotFinite;
     if (last) {
@@ -159,6 +168,19 @@ void Run::cancel() {
 const Progress& Run::progress() const { return state_->progress; }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
 const EnergyReport& Run::energies() const { return state_->report_energies(); }
+
+GroupReport Run::group() const {
+  const SymmetryGroup& group = state_->level->surface().symmetry();
+  return {group.name, group.order};
+}
+
+LimitReport Run::limit() const { return extrapolate(state_->energies_of_levels, third_order(state_->options.weights)); }
+
+Result<Certificate> Run::certify() const {
+  const Level& level = *state_->level;
+  return Certificate::create({level.surface().level(), level.surface().mesh(), level.best(), {}}, state_->options.cap,
+                             state_->options.weights);
+}
 
 Cage Run::control_mesh() const {
   const RefinedCage cage = state_->level->best_cage();

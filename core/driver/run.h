@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cage/cage.h"
+#include "driver/certificate.h"
 #include "driver/limit_mesh.h"
 #include "driver/metric_choice.h"
 #include "driver/report.h"
@@ -64,6 +65,16 @@ class Run {
 
   /// The levels ended so far, in order.
   const std::vector<LevelReport>& levels() const;
+
+  /// The symmetry that the run keeps; C1 where there is none or none is wanted.
+  GroupReport group() const;
+
+  /// The limit of the levels ended so far.
+  LimitReport limit() const;
+
+  /// Counts the negative directions at the best surface so far; see CertificateReport. Fails for `flat` caps, whose
+  /// normal directions the Hessian takes as fixed, and for meshes of more than kMaxCertifiedFaces faces.
+  Result<Certificate> certify() const;
 
   /// The control mesh of the best surface so far.
   Cage control_mesh() const;

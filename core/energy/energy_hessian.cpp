@@ -46,9 +46,7 @@ void turn_back(const Eigen::Matrix3d& turn, int columns, std::vector<double>& bl
 }  // namespace
 
 EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights)
-    : layout_(layout),
-      weights_(weights),
-      third_order_(std::any_of(weights.begin() + kMvs, weights.end(), [](double w) { return w != 0; })) {
+    : layout_(layout), weights_(weights), third_order_(umbilic::third_order(weights)) {
   int widest = 0;
   for (const PatchSet& set : layout.sets()) {
     std::vector<Sample> samples = set.kind.regular()            ? tensor_rule(rule.regular_points)

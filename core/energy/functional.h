@@ -23,6 +23,14 @@ constexpr bool is_third_order(int functional) { return functional >= kMvs; }
 /// Weights of the functionals, in the order of the enum: Joshi & Sequin's eq. 9 for any of them.
 using Weights = std::array<double, kFunctionalCount>;
 
+/// Whether a functional of third order has a weight.
+constexpr bool third_order(const Weights& weights) {
+  for (int f = kMvs; f < kFunctionalCount; ++f) {
+    if (weights[f] != 0) return true;
+  }
+  return false;
+}
+
 /// Weights with 1 for the functional called `name`. Errors name the unknown functional and list the known ones.
 Result<Weights> weights_of(std::string_view name);
 

@@ -76,7 +76,7 @@ SurfaceEnergy::SurfaceEnergy(const JetEvaluator& jets, const Weights& weights)
     : jets_(jets),
       weights_(weights),
       second_order_(weights[kBending] != 0 || weights[kWillmore] != 0),
-      third_order_(std::any_of(weights.begin() + kMvs, weights.end(), [](double w) { return w != 0; })) {}
+      third_order_(umbilic::third_order(weights)) {}
 
 EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, bool gradient,
                                              std::vector<Points>& gradients) const {

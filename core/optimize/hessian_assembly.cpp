@@ -18,7 +18,13 @@ HessianAssembly::HessianAssembly(const PatchLayout& layout, const Unknowns& unkn
       energy_(jets_, weights),
       assembly_(layout, unknowns.coordinates()),
       sobolev_(layout, weights),
-      hessian_(layout, rule, weights) {}
+      hessian_(layout, rule, weights) {
+  for (const PatchSet& set : layout.sets()) patch_count_ += set.count();
+}
+
+double HessianAssembly::progress() const {
+  return stage_ == Stage::kFactors ? 0 : static_cast<double>(patches_done_) / patch_count_;
+}
 
 void HessianAssembly::begin(const Points& control) {
   control_ = control;
@@ -42,6 +48,7 @@ bool HessianAssembly::advance() {
       hessian_values_.assign(assembly_.nonzeros(), 0.0);
       sobolev_values_.assign(assembly_.nonzeros(), 0.0);
       cursor_ = {};
+      patches_done_ = 0;
       stage_ = Stage::kPatches;
       break;
     }
@@ -49,6 +56,7 @@ bool HessianAssembly::advance() {
       const auto add = [&](int set, int patch) {
         assembly_.add(set, patch, hessian_.patch(set, patch), hessian_.columns(set), hessian_values_);
         assembly_.add_scalar(set, patch, sobolev_.patch(set, patch), sobolev_values_);
+        ++patches_done_;
         return hessian_.samples(set);
       };
       if (cursor_.visit(jets_.layout(), kSamplesPerPart, add)) stage_ = Stage::kReduce;

@@ -28,6 +28,9 @@ class HessianAssembly {
   /// Does a part of the work, of about the cost of one energy evaluation; returns whether the matrices are ready.
   bool advance();
 
+  /// Fraction of the patches that are done.
+  double progress() const;
+
   /// The lower triangle of hessian_factor * H + sobolev_factor * S.
   Matrix combine(double hessian_factor, double sobolev_factor) const;
   /// (u, v), or no columns where the functional has no third-order part.
@@ -45,6 +48,7 @@ class HessianAssembly {
   Stage stage_ = Stage::kFactors;
   Points control_;
   PatchCursor cursor_;
+  int patches_done_ = 0, patch_count_ = 0;
   std::vector<double> hessian_values_, sobolev_values_;
   Matrix reduced_hessian_, reduced_sobolev_;  // where the unknowns are those of a coarser mesh
   Eigen::MatrixXd factors_;

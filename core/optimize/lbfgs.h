@@ -43,8 +43,8 @@ class Lbfgs {
 
   /// Whether the next `step` starts a new line search, so that the metric may change.
   bool between_iterations() const { return !search_; }
-  /// Drops the curvature pairs, which a metric that knows the Hessian here has no need of.
-  void metric_changed() { pairs_.clear(); }
+  /// Drops the curvature pairs.
+  void forget() { pairs_.clear(); }
 
   const Eigen::VectorXd& best() const { return best_; }
   double best_value() const { return best_value_; }

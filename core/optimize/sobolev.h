@@ -23,6 +23,7 @@ class SobolevMetric : public SurfaceMetric {
   void begin(const Points& control) override;
   bool advance() override;
   std::string_view name() const override { return "sobolev"; }
+  bool knows_hessian() const override { return false; }
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
 
  private:

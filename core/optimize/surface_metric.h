@@ -17,6 +17,8 @@ class SurfaceMetric : public Metric {
   /// Does a part of the work, of about the cost of one energy evaluation; returns whether the metric is ready.
   virtual bool advance() = 0;
   virtual std::string_view name() const = 0;
+  /// Whether curvature pairs from before the metric was built say less than the metric.
+  virtual bool knows_hessian() const = 0;
 };
 
 }  // namespace umbilic

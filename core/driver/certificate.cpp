@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Assembles the full Hessian, factors it and counts signs.
+#include "driver/certificate.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <Eigen/SparseCholesky>
+
+#include "driver/rules.h"
+#include "driver/surface.h"
+#include "mesh/hierarchy.h"
+#include "optimize/hessian_assembly.h"
+
+namespace umbilic {
+namespace {
+
+/// Orthonormal columns: translations, rotations and scaling of the points, and for Moebius-invariant functionals the
+/// special conformal maps x -> |x|^2 a - 2 (a . x) x.
+Eigen::MatrixXd gauge_directions(const Points& control, bool conformal) {
+  const Points x = control.rowwise() - control.colwise().mean();
+  const double size = x.rowwise().norm().maxCoeff();
+  Eigen::MatrixXd directions(x.size(), conformal ? 10 : 7);
+  for (Eigen::Index v = 0; v < x.rows(); ++v) {
+    const Vector3 p = x.row(v).transpose() / size;
+    auto rows = directions.middleRows<3>(3 * v);
+    for (int i = 0; i < 3; ++i) {
+      const Vector3 axis = Vector3::Unit(i);
+      rows.col(i) = axis;
+      rows.col(3 + i) = axis.cross(p);
+      if (conformal) rows.col(7 + i) = p.squaredNorm() * axis - 2 * axis.dot(p) * p;
+    }
+    rows.col(6) = p;
+  }
+  const Eigen::Index columns = directions.cols();
+  return Eigen::HouseholderQR<Eigen::MatrixXd>(directions).householderQ() *
+         Eigen::MatrixXd::Identity(directions.rows(), columns);
+}
+
+int negative_eigenvalues(const Eigen::MatrixXd& symmetric) {
+  const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
+  return static_cast<int>((values.array() < 0).count());
+}
+
+/// Assembling and factoring, as parts of the whole.
+constexpr double kAssemblyShare = 0.7;
+
+}  // namespace
+
+struct Certificate::State {
+  RefinedCage cage;
+  Surface surface;
+  Unknowns unknowns;
+  HessianAssembly assembly;
+  bool assembled = false, ready = false;
+  CertificateReport report;
+
+  State(RefinedCage start, CapKind cap, const Weights& weights)
+      : cage(std::move(start)),
+        surface(cage, cap, weights),
+        unknowns(Coordinates(cage.mesh.vertex_count())),
+        assembly(surface.layout(), unknowns, weights, minimizing_rule(cap)) {
+    assembly.begin(cage.control);
+    report.level = cage.level;
+    report.unknowns = unknowns.count();
+    report.tau = kCertificateTau;
+    report.gauge = surface.energy().third_order() ? 7 : 10;
+  }
+
+  /// neg(K + tau S) on the complement of the gauge directions, from [M U G; U^T -C^-1 0; G^T 0 0] with K + tau S = M +
+  /// U C U^T.
+  void count() {
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor(assembly.combine(1, report.tau));
+    int negative = static_cast<int>((factor.vectorD().array() < 0).count());
+    const Eigen::MatrixXd gauge = gauge_directions(cage.control, report.gauge == 10);
+    const Eigen::Index rank = assembly.factors().cols();
+    Eigen::MatrixXd border(unknowns.count(), rank + gauge.cols());
+    border << assembly.factors(), gauge;
+    Eigen::MatrixXd schur = -border.transpose() * Eigen::MatrixXd(factor.solve(border));
+    if (rank == 2) schur.topLeftCorner<2, 2>() -= Eigen::Matrix2d{{0, 1}, {1, 0}};
+    negative += negative_eigenvalues((schur + schur.transpose()) / 2);
+    report.negative = negative - static_cast<int>(gauge.cols()) - (rank == 2 ? 1 : 0);
+    ready = true;
+  }
+};
+
+Result<Certificate> Certificate::create(const RefinedCage& cage, CapKind cap, const Weights& weights) {
+  if (cap == CapKind::kFlat) {
+    return Error{"no certificate with cap flat: its second derivatives take the caps' normals as fixed"};
+  }
+  if (cage.mesh.face_count() > kMaxCertifiedFaces) {
+    return Error{fmt::format("no certificate on {} patches; at most {} are possible", cage.mesh.face_count(),
+                             kMaxCertifiedFaces)};
+  }
+  RefinedCage free = cage;
+  free.symmetry = {};
+  return Certificate(std::make_unique<State>(std::move(free), cap, weights));
+}
+
+Certificate::Certificate(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Certificate::Certificate(Certificate&&) noexcept = default;
+Certificate& Certificate::operator=(Certificate&&) noexcept = default;
+Certificate::~Certificate() = default;
+
+bool Certificate::step() {
+  if (!state_->assembled) {
+    state_->assembled = state_->assembly.advance();
+  } else if (!state_->ready) {
+    state_->count();
+  }
+  return state_->ready;
+}
+
+double Certificate::progress() const {
+  if (state_->ready) return 1;
+  return kAssemblyShare * (state_->assembled ? 1 : state_->assembly.progress());
+}
+
+const CertificateReport& Certificate::report() const { return state_->report; }
+
+}  // namespace umbilic

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Whether a surface is a minimum among all surfaces near it: the inertia of its full Hessian.
+///
+/// With the Hessian K of all coordinates of the control points, whatever symmetry the surface was minimized in, and the
+/// Sobolev product S, the negative eigenvalues of K + tau S are counted from its L D L^T (Sylvester), after the gauge
+/// directions G are removed: translations, rotations and scaling, and for second-order functionals the special
+/// conformal maps. On the complement of G they are neg(K + tau S) + pos(G^T (K + tau S)^-1 G) - dim G. The area
+/// product's rank-two term is bordered in the same way.
+#pragma once
+
+#include <memory>
+
+#include "base/result.h"
+#include "driver/report.h"
+#include "energy/functional.h"
+#include "surface/cap_kind.h"
+
+namespace umbilic {
+
+/// Eigenvalues of the Hessian, relative to the Sobolev product, that count as zero: discrete surfaces have many
+/// directions, along their parametrization, that change the energy very little.
+inline constexpr double kCertificateTau = 1e-3;
+
+inline constexpr int kMaxCertifiedFaces = 20'000;
+
+struct RefinedCage;
+
+/// The work, in steps that a page can wait for.
+class Certificate {
+ public:
+  /// Of a surface with these control points. Fails as `Run::certify`.
+  static Result<Certificate> create(const RefinedCage& cage, CapKind cap, const Weights& weights);
+
+  Certificate(Certificate&&) noexcept;
+  Certificate& operator=(Certificate&&) noexcept;
+  ~Certificate();
+
+  /// Does one unit of work, of about the cost of an energy evaluation (but for one factorization); returns whether the
+  /// report is ready.
+  bool step();
+  /// In [0, 1].
+  double progress() const;
+  /// `step` has returned true.
+  const CertificateReport& report() const;
+
+ private:
+  struct State;
+  explicit Certificate(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace umbilic

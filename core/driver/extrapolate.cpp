@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Extrapolates, or refuses to.
+#include "driver/extrapolate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace umbilic {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+LimitReport no_limit(LimitStatus status, double energy, double order) { return {status, energy, order, kNaN}; }
+
+}  // namespace
+
+LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order) {
+  if (levels.empty()) return no_limit(LimitStatus::kTooFewLevels, kNaN, kNaN);
+  const double last = levels.back().energy;
+  if (levels.size() < 3) return no_limit(LimitStatus::kTooFewLevels, last, kNaN);
+  const LevelEnergy* three = &levels[levels.size() - 3];
+  const bool minimized = std::all_of(three, three + 3, [](const LevelEnergy& l) { return l.minimized; });
+  const double before = three[0].energy - three[1].energy, decrease = three[1].energy - last;
+  const double order = before > 0 && decrease > 0 ? std::log2(before / decrease) : kNaN;
+  if (!minimized) return no_limit(LimitStatus::kNotMinimized, last, order);
+
+  const double uncertainty = three[1].uncertainty + three[2].uncertainty;
+  if (std::abs(decrease) <= uncertainty) {
+    return {LimitStatus::kConverging, last, kNaN, std::abs(decrease) + uncertainty};
+  }
+  const double drift = std::abs(three[2].bending - three[1].bending) / three[1].bending;
+  if (!(order >= kLeastOrder) || (third_order && !(drift <= kLargestDrift))) {
+    return no_limit(LimitStatus::kNotConverging, last, order);
+  }
+  const double ratio = std::exp2(std::min(order, third_order ? 2.0 : 4.0));
+  const double correction = decrease / (ratio - 1);
+  return {LimitStatus::kConverging, last - correction, order,
+          std::max(decrease - correction, correction) + uncertainty};
+}
+
+}  // namespace umbilic
