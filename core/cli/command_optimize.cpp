@@ -29,6 +29,7 @@ struct Arguments {
   std::optional<std::string> limit_mesh;
   std::optional<std::string> report;
   int density = 4;
+  bool certify = false;
   bool quiet = false;
 
   /// The outputs that are wanted.
@@ -67,24 +68,46 @@ void minimize(Run& run, const InterruptWatch& watch, bool quiet) {
   line.update(run);
 }
 
-std::string json(const CageFile& input, const Arguments& arguments, const Run& run) {
+/// What there is to say of a run when it has ended.
+struct Ending {
+  const Run& run;
+  std::optional<CertificateReport> certificate;
+};
+
+std::string json(const CageFile& input, const Arguments& arguments, const Ending& ending) {
+  const Run& run = ending.run;
   Json report = json_report(input);
   add_objective(report, arguments.objective);
   add_cap(report, arguments.options.cap);
+  add_group(report, run.group());
   add_energies(report, run.energies());
+  add_limit(report, run.limit());
   add_levels(report, run.levels());
+  if (ending.certificate) add_certificate(report, *ending.certificate);
   return to_text(report);
 }
 
-std::string table(const CageFile& input, const Arguments& arguments, const Run& run) {
+std::string table(const CageFile& input, const Arguments& arguments, const Ending& ending) {
+  const Run& run = ending.run;
   return input_line(input) +
-         fmt::format("minimized {}, cap {}\n", arguments.objective.words(), name_of(arguments.options.cap)) +
-         level_table(run.levels()) + "energies of the last level\n" +
-         energy_table(run.energies(), arguments.objective.words());
+         fmt::format("minimized {}, cap {}, {}\n", arguments.objective.words(), name_of(arguments.options.cap),
+                     group_words(run.group())) +
+         level_table(run.levels()) + limit_line(run.limit()) +
+         (ending.certificate ? certificate_line(*ending.certificate, run.group()) : "") +
+         "energies of the last level\n" + energy_table(run.energies(), arguments.objective.words());
+}
+
+/// Nothing when the user interrupts.
+std::optional<CertificateReport> certify(Certificate certificate, const InterruptWatch& watch) {
+  while (!certificate.step()) {
+    if (watch.interrupted()) return std::nullopt;
+  }
+  return certificate.report();
 }
 
 /// Writes everything that can be written, whatever fails.
-int write_results(const CageFile& input, const Arguments& arguments, const Run& run) {
+int write_results(const CageFile& input, const Arguments& arguments, const Ending& ending) {
+  const Run& run = ending.run;
   int exit_code = kEnded;
   const auto write = [&](const std::optional<std::string>& path, const auto& text) {
     if (!path) return;
@@ -95,11 +118,11 @@ int write_results(const CageFile& input, const Arguments& arguments, const Run& 
     const LimitMesh mesh = run.limit_mesh(arguments.density);
     return write_obj(mesh.positions, mesh.normals, mesh.quads);
   });
-  write(arguments.report, [&] { return json(input, arguments, run); });
+  write(arguments.report, [&] { return json(input, arguments, ending); });
   for (const std::string& path : arguments.outputs()) {
     if (path == "-") return exit_code;  // the table would spoil what stands there
   }
-  return print(table(input, arguments, run)) ? exit_code : kCannotWrite;
+  return print(table(input, arguments, ending)) ? exit_code : kCannotWrite;
 }
 
 int run(const Arguments& arguments) {
@@ -115,7 +138,18 @@ int run(const Arguments& arguments) {
   if (!run) return fail(kBadInput, fmt::format("{}: {}", input->name, run.error().message));
   const InterruptWatch watch;  // also while the results are written: they are what the run was for
   minimize(*run, watch, arguments.quiet);
-  return write_results(*input, arguments, *run);
+  Ending ending{*run, std::nullopt};
+  int exit_code = kEnded;
+  if (arguments.certify && !watch.interrupted()) {
+    Result<Certificate> certificate = run->certify();
+    if (certificate) {
+      ending.certificate = certify(std::move(certificate).value(), watch);
+    } else {
+      exit_code = fail(kBadInput, certificate.error().message);
+    }
+  }
+  const int written = write_results(*input, arguments, ending);
+  return written == kEnded ? exit_code : written;
 }
 
 void add_level_options(CLI::App& command, RunOptions& options) {
@@ -128,7 +162,7 @@ void add_level_options(CLI::App& command, RunOptions& options) {
             options.last_level = range.last;
           },
           "Minimize, subdivide, minimize: from A to B Catmull-Clark steps of the cage;\n"
-          "A is raised when the cage needs more [0..2]")
+          "where the cage is too coarse to be evaluated, a finer mesh is [0..2]")
       ->type_name("A..B")
       ->check(checked(parse_levels));
   const auto parse_iterations = [](const std::string& text) {
@@ -196,6 +230,8 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
       ->type_name("N")
       ->check(checked(parse_density));
   add_output("--report", arguments->report, "OUT.json", "Write energies, levels and stop reasons as JSON");
+  command->add_flag("--certify", arguments->certify,
+                    "Tell whether the result is a local minimum among all surfaces, symmetric or not");
   command->add_flag("-q,--quiet", arguments->quiet, "No progress on standard error");
   command->footer(
       "Where a result goes to - (standard output), no table is printed. Ctrl-C ends the run and keeps the best\n"

@@ -72,9 +72,31 @@ void add_levels(Json& report, const std::vector<LevelReport>& levels) {
                    {"iterations", level.iterations},
                    {"evaluations", level.evaluations},
                    {"seconds", level.seconds},
-                   {"stop", std::string(name_of(level.stop))}});
+                   {"stop", std::string(name_of(level.stop))},
+                   {"metric", std::string(level.metric)},
+                   {"metrics", level.metrics},
+                   {"evaluable", level.evaluable}});
   }
   report["levels"] = all;
+}
+
+void add_group(Json& report, const GroupReport& group) {
+  report["group"] = {{"name", group.name}, {"order", group.order}};
+}
+
+void add_limit(Json& report, const LimitReport& limit) {
+  report["extrapolated"] = {{"status", std::string(name_of(limit.status))},
+                            {"energy", limit.energy},
+                            {"order", limit.order},
+                            {"error", limit.error}};
+}
+
+void add_certificate(Json& report, const CertificateReport& certificate) {
+  report["certificate"] = {{"level", certificate.level},
+                           {"unknowns", certificate.unknowns},
+                           {"gauge", certificate.gauge},
+                           {"tau", certificate.tau},
+                           {"negative", certificate.negative}};
 }
 
 void add_levels(Json& report, const EvaluationReport& evaluation) {

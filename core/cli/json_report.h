@@ -27,6 +27,12 @@ void add_cap(Json& report, CapKind cap);
 void add_energies(Json& report, const EnergyReport& energies);
 /// Adds "levels".
 void add_levels(Json& report, const std::vector<LevelReport>& levels);
+/// Adds "group".
+void add_group(Json& report, const GroupReport& group);
+/// Adds "extrapolated".
+void add_limit(Json& report, const LimitReport& limit);
+/// Adds "certificate".
+void add_certificate(Json& report, const CertificateReport& certificate);
 void add_levels(Json& report, const EvaluationReport& evaluation);
 /// Adds "levels" and "gradient".
 void add_gradient(Json& report, const GradientReport& gradient);

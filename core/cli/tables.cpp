@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace umbilic {
@@ -54,14 +55,44 @@ std::string energy_table(const EnergyReport& energies, const std::string& object
 }
 
 std::string level_table(const std::vector<LevelReport>& levels) {
-  std::string text = fmt::format("  {:>5} {:>8} {:>9} {:>16} {:>10} {:>11} {:>8}  {}\n", "level", "patches", "unknowns",
-                                 "energy", "iterations", "evaluations", "seconds", "stop");
+  std::string text = fmt::format("  {:>5} {:>8} {:>9} {:>16} {:>10} {:>11} {:>8}  {:<8}  {}\n", "level", "patches",
+                                 "unknowns", "energy", "iterations", "evaluations", "seconds", "metric", "stop");
   for (const LevelReport& level : levels) {
-    text += fmt::format("  {:>5} {:>8} {:>9} {:>16.10g} {:>10} {:>11} {:>8.2f}  {}\n", level.level, level.patches,
-                        level.unknowns, level.energy_reported, level.iterations, level.evaluations, level.seconds,
-                        name_of(level.stop));
+    text += fmt::format("  {:>5} {:>8} {:>9} {:>16.10g} {:>10} {:>11} {:>8.2f}  {:<8}  {}\n", level.level,
+                        level.patches, level.unknowns, level.energy_reported, level.iterations, level.evaluations,
+                        level.seconds, level.metric, name_of(level.stop));
   }
   return text;
+}
+
+std::string group_words(const GroupReport& group) {
+  return fmt::format("symmetry {}, order {}", group.name, group.order);
+}
+
+std::string limit_line(const LimitReport& limit) {
+  switch (limit.status) {
+    case LimitStatus::kConverging: {
+      const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(limit.error))), 0, 12);
+      const std::string order =
+          std::isfinite(limit.order) ? fmt::format("observed order {:.1f}", limit.order) : "the last levels agree";
+      return fmt::format("extrapolated {:.{}f} +- {:.{}f} ({})\n", limit.energy, places, limit.error, places, order);
+    }
+    case LimitStatus::kTooFewLevels: return "not extrapolated: too few levels; three are needed\n";
+    case LimitStatus::kNotMinimized: return "not extrapolated: one of the last three levels did not converge\n";
+    case LimitStatus::kNotConverging:
+      return fmt::format("not extrapolated: {:.10g} is an upper bound, the levels do not converge\n", limit.energy);
+  }
+  return "";
+}
+
+std::string certificate_line(const CertificateReport& certificate, const GroupReport& group) {
+  std::string words = "a local minimum among all surfaces near it";
+  if (certificate.negative > 0) {
+    words = fmt::format("{} lower the energy", plural(certificate.negative, "direction", "directions"));
+    words += group.order > 1 ? fmt::format(": a minimum only within its symmetry {}", group.name) : ": no minimum";
+  }
+  return fmt::format("certificate: {} ({} unknowns, {} gauge directions, tau {:g})\n", words, certificate.unknowns,
+                     certificate.gauge, certificate.tau);
 }
 
 }  // namespace umbilic

@@ -18,6 +18,13 @@ std::string input_line(const CageFile& input);
 /// `objective`.
 std::string energy_table(const EnergyReport& energies, const std::string& objective);
 
+/// "symmetry D3h, order 12".
+std::string group_words(const GroupReport& group);
+/// The limit with its error bar, or why there is none.
+std::string limit_line(const LimitReport& limit);
+/// Whether the surface is a local minimum; `group` is the symmetry that it was minimized in.
+std::string certificate_line(const CertificateReport& certificate, const GroupReport& group);
+
 std::string level_table(const std::vector<LevelReport>& levels);
 
 }  // namespace umbilic
