@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// This layer's kernels for one instruction set.
+#include "energy/kernels/integrals.h"
+
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+
+extern const EnergyKernels kEnergyKernels{integrate, integrate_all};
+
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
