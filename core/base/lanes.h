@@ -37,16 +37,20 @@ using ShortLanes = double __attribute__((vector_size(kShortLaneCount * sizeof(do
 template <class L>
 inline constexpr int kCount = sizeof(L) / sizeof(double);
 
+/// In memory, anywhere. (Unlike std::memcpy, which keeps the compiler from holding arrays of lanes in registers.)
+template <class L>
+struct Unaligned {
+  using Type __attribute__((aligned(alignof(double)), may_alias)) = L;
+};
+
 template <class L = Lanes>
 L load_lanes(const double* from) {
-  L x;
-  __builtin_memcpy(&x, from, sizeof x);
-  return x;
+  return *reinterpret_cast<const typename Unaligned<L>::Type*>(from);
 }
 
 template <class L>
 void store_lanes(double* to, L x) {
-  __builtin_memcpy(to, &x, sizeof x);
+  *reinterpret_cast<typename Unaligned<L>::Type*>(to) = x;
 }
 
 template <class L = Lanes>
@@ -74,6 +78,29 @@ double sum_lanes(L x) {
   double sum = 0;
   for (int i = 0; i < kCount<L>; ++i) sum += x[i];
   return sum;
+}
+
+/// Lanes added up to as many as ShortLanes has.
+template <class L>
+ShortLanes fold(L x) {
+  if constexpr (kCount < L >> kShortLaneCount) {
+    return __builtin_shufflevector(x, x, 0, 1, 2, 3) + __builtin_shufflevector(x, x, 4, 5, 6, 7);
+  } else {
+    return x;
+  }
+}
+
+/// sums[i] = the sum of x[i]'s lanes, side by side.
+template <class L>
+void sum_lanes_of_four(const L (&x)[4], double* sums) {
+  if constexpr (kCount<L> == 2) {
+    store_lanes(sums, __builtin_shufflevector(x[0], x[1], 0, 2) + __builtin_shufflevector(x[0], x[1], 1, 3));
+    store_lanes(sums + 2, __builtin_shufflevector(x[2], x[3], 0, 2) + __builtin_shufflevector(x[2], x[3], 1, 3));
+  } else {
+    const L a = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6) + __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    const L b = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6) + __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    store_lanes(sums, __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7));
+  }
 }
 
 template <class L>

@@ -25,14 +25,10 @@ void store_vector(double* x, int stride, const Vec3<L>& v) {
 /// `x` points to the first of the samples in an array [(c * derivatives + d) * samples + s].
 template <bool kThird, class L = Lanes>
 Jet<L> load_jet(const double* x, int samples, int derivatives) {
-  Jet<L> jet;
   const int stride = derivatives * samples;
-  for (int d = 0; d < 2; ++d) jet.first[d] = load_vector<L>(x + d * samples, stride);
-  for (int d = 0; d < 3; ++d) jet.second[d] = load_vector<L>(x + (2 + d) * samples, stride);
-  if constexpr (kThird) {
-    for (int d = 0; d < 4; ++d) jet.third[d] = load_vector<L>(x + (5 + d) * samples, stride);
-  }
-  return jet;
+  const auto at = [&](int d) { return load_vector<L>(x + d * samples, stride); };
+  if constexpr (kThird) return {{at(0), at(1)}, {at(2), at(3), at(4)}, {at(5), at(6), at(7), at(8)}};
+  return {{at(0), at(1)}, {at(2), at(3), at(4)}, {}};
 }
 
 template <bool kThird, class L>

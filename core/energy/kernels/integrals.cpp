@@ -40,9 +40,10 @@ L integrand(const double* weights, const Curvature<L>& k, const L& weight, Curva
   return measure * density;
 }
 
-/// The samples [s, s + lanes) of patch p.
+/// The samples [s, s + lanes) of patch p. Flat, because lanes that are passed to functions go through memory.
 template <bool kSecond, bool kThird, class L>
-void integrate_samples(const double* weights, const JetBlock& block, int p, int s, const L& weight, LaneSums<L>& sums) {
+[[gnu::flatten]] inline void integrate_samples(const double* weights, const JetBlock& block, int p, int s,
+                                               const L& weight, LaneSums<L>& sums) {
   constexpr int kSecondChannel = 0, kThirdChannel = kSecond ? 1 : 0, kAreaChannel = kThirdChannel + 1;
   const int samples = block.samples, derivatives = block.derivatives;
   const std::size_t at = static_cast<std::size_t>(3) * samples * p;
@@ -100,7 +101,7 @@ template <class L>
 struct LaneFunctionals {
   L functionals[kFunctionalCount] = {}, area{}, gaussian{};
 
-  void add(const Jet<L>& jet, const L& weight) {
+  [[gnu::flatten]] void add(const Jet<L>& jet, const L& weight) {
     const CurvatureFrame<L, true> frame(jet);
     const Curvature<L>& k = frame.value();
     const L measure = weight * k.area, none{};

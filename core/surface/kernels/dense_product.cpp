@@ -61,11 +61,15 @@ void transposed_tile(const double* table, int stride, int rows, const double* ad
   Lanes sums[kTall][3] = {};
   ShortLanes rest[kTall][3] = {};
   const int row = transposed_rows<kTall, Lanes>(table, stride, rows, 0, adjoint, sums);
-  transposed_rows<kTall, ShortLanes>(table, stride, rows, row, adjoint, rest);
-  for (int k = 0; k < kTall; ++k) {
-    for (int c = 0; c < 3; ++c) {
-      out[static_cast<std::ptrdiff_t>(k) * width + c] = sum_lanes(sums[k][c]) + sum_lanes(rest[k][c]);
-    }
+  if constexpr (kShortLaneCount < kLaneCount) {
+    transposed_rows<kTall, ShortLanes>(table, stride, rows, row, adjoint, rest);
+  }
+  for (int c = 0; c < 3; ++c) {
+    ShortLanes folded[4] = {};
+    for (int k = 0; k < kTall; ++k) folded[k] = fold(sums[k][c]) + rest[k][c];
+    double totals[4];
+    sum_lanes_of_four(folded, totals);
+    for (int k = 0; k < kTall; ++k) out[static_cast<std::ptrdiff_t>(k) * width + c] = totals[k];
   }
 }
 

@@ -15,6 +15,9 @@ constexpr int highest_order(int derivatives) {
 
 constexpr int padded(int points) { return (points + kSampleMultiple - 1) / kSampleMultiple * kSampleMultiple; }
 
+/// Coordinates at a time, so that four sums of each stay in registers.
+constexpr int kTile = 3;
+
 template <int kPoints>
 struct Constant {
   constexpr operator int() const { return kPoints; }
@@ -51,19 +54,26 @@ void jets_on(Count count, const RegularGrid& grid, const double* points, int der
       }
     }
   }
-  for (int c = 0; c < 3; ++c) {
-    for (int d = 0; d < derivatives; ++d) {
-      const int k = kOrderU[d + 1], l = kOrderV[d + 1];
-      const double* in = partial + (4 * c + k) * 4 * width;
-      double* out = jets + (c * derivatives + d) * sample_count;
+  for (int c = 0; c < 3; c += kTile) {
+    for (int k = 0; k <= order; ++k) {
       for (int i = 0; i < width; i += kShortLaneCount) {
-        const ShortLanes p0 = load_lanes<ShortLanes>(in + i), p1 = load_lanes<ShortLanes>(in + width + i),
-                         p2 = load_lanes<ShortLanes>(in + 2 * width + i),
-                         p3 = load_lanes<ShortLanes>(in + 3 * width + i);
-        const double* w = along_v + count * l * 4;
-        for (int j = 0; j < count; ++j, w += 4) {
-          store_lanes(out + j * width + i, p0 * splat<ShortLanes>(w[0]) + p1 * splat<ShortLanes>(w[1]) +
-                                               p2 * splat<ShortLanes>(w[2]) + p3 * splat<ShortLanes>(w[3]));
+        ShortLanes in[kTile][4];
+        for (int t = 0; t < kTile; ++t) {
+          for (int b = 0; b < 4; ++b) {
+            in[t][b] = load_lanes<ShortLanes>(partial + ((4 * (c + t) + k) * 4 + b) * width + i);
+          }
+        }
+        for (int l = k == 0 ? 1 : 0; k + l <= order; ++l) {
+          const double* w = along_v + count * l * 4;
+          double* out = jets + (c * derivatives + derivative_index(k, l) - 1) * sample_count + i;
+          for (int j = 0; j < count; ++j, w += 4, out += width) {
+            const ShortLanes w0 = splat<ShortLanes>(w[0]), w1 = splat<ShortLanes>(w[1]), w2 = splat<ShortLanes>(w[2]),
+                             w3 = splat<ShortLanes>(w[3]);
+            for (int t = 0; t < kTile; ++t) {
+              store_lanes(out + t * derivatives * sample_count,
+                          in[t][0] * w0 + in[t][1] * w1 + in[t][2] * w2 + in[t][3] * w3);
+            }
+          }
         }
       }
     }
@@ -73,32 +83,41 @@ void jets_on(Count count, const RegularGrid& grid, const double* points, int der
 template <class Count>
 void pull_back_on(Count count, const RegularGrid& grid, const double* adjoint, int derivatives, double* gradient) {
   const int order = highest_order(derivatives), width = padded(count), sample_count = count * width;
-  double* partial = grid.partial;  // [k][b][i] of one coordinate
-  for (int c = 0; c < 3; ++c) {
+  double* partial = grid.partial;
+  for (int c = 0; c < 3; c += kTile) {
     for (int k = 0; k <= order; ++k) {
       for (int i = 0; i < width; i += kShortLaneCount) {
-        ShortLanes sum[4] = {};
-        for (int l = 0; k + l <= order; ++l) {
-          if (k + l == 0) continue;
+        ShortLanes sums[kTile][4] = {};
+        for (int l = k == 0 ? 1 : 0; k + l <= order; ++l) {
           const double* in = adjoint + (c * derivatives + derivative_index(k, l) - 1) * sample_count + i;
           const double* w = grid.along_v + count * l * 4;
-          for (int j = 0; j < count; ++j, w += 4) {
-            const ShortLanes x = load_lanes<ShortLanes>(in + j * width);
-            for (int b = 0; b < 4; ++b) sum[b] += x * splat<ShortLanes>(w[b]);
+          for (int j = 0; j < count; ++j, w += 4, in += width) {
+            ShortLanes x[kTile];
+            for (int t = 0; t < kTile; ++t) x[t] = load_lanes<ShortLanes>(in + t * derivatives * sample_count);
+            for (int b = 0; b < 4; ++b) {
+              const ShortLanes factor = splat<ShortLanes>(w[b]);
+              for (int t = 0; t < kTile; ++t) sums[t][b] += x[t] * factor;
+            }
           }
         }
-        for (int b = 0; b < 4; ++b) store_lanes(partial + (4 * k + b) * width + i, sum[b]);
+        for (int t = 0; t < kTile; ++t) {
+          for (int b = 0; b < 4; ++b) store_lanes(partial + ((4 * (c + t) + k) * 4 + b) * width + i, sums[t][b]);
+        }
       }
     }
+  }
+  for (int c = 0; c < 3; ++c) {
     for (int b = 0; b < 4; ++b) {
       ShortLanes total[4] = {};
       for (int k = 0; k <= order; ++k) {
         for (int i = 0; i < width; i += kShortLaneCount) {
-          const ShortLanes x = load_lanes<ShortLanes>(partial + (4 * k + b) * width + i);
+          const ShortLanes x = load_lanes<ShortLanes>(partial + ((4 * c + k) * 4 + b) * width + i);
           for (int a = 0; a < 4; ++a) total[a] += x * load_lanes<ShortLanes>(grid.along_u + (4 * k + a) * width + i);
         }
       }
-      for (int a = 0; a < 4; ++a) gradient[(4 * b + a) * 3 + c] += sum_lanes(total[a]);
+      double sums[4];
+      sum_lanes_of_four(total, sums);
+      for (int a = 0; a < 4; ++a) gradient[(4 * b + a) * 3 + c] += sums[a];
     }
   }
 }
