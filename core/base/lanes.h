@@ -3,46 +3,111 @@
 /// A few doubles side by side, for arithmetic over several samples at once.
 #pragma once
 
-#include <cmath>
-#include <cstring>
+#ifdef __wasm_simd128__
+#include <wasm_simd128.h>
+#endif
+
+#include "base/kernel_namespace.h"
 
 namespace umbilic {
 
-#if defined(__AVX2__)
+/// Loops over samples count on multiples of this, whatever the lanes.
+inline constexpr int kSampleMultiple = 4;
+
+}  // namespace umbilic
+
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+
+#if defined(__AVX512F__)
+inline constexpr int kLaneCount = 8;
+#elif defined(__AVX2__)
 inline constexpr int kLaneCount = 4;
 #else
 inline constexpr int kLaneCount = 2;
 #endif
 
-/// Elementwise + - * / come with the compiler's vector type.
+/// Elementwise + - * / < come with the compiler's vector type.
 using Lanes = double __attribute__((vector_size(kLaneCount * sizeof(double))));
 
-inline Lanes load_lanes(const double* from) {
-  Lanes x;
-  std::memcpy(&x, from, sizeof x);
+/// As many lanes as every count of samples has full.
+inline constexpr int kShortLaneCount = kLaneCount < kSampleMultiple ? kLaneCount : kSampleMultiple;
+using ShortLanes = double __attribute__((vector_size(kShortLaneCount * sizeof(double))));
+
+/// Of Lanes or ShortLanes.
+template <class L>
+inline constexpr int kCount = sizeof(L) / sizeof(double);
+
+/// In memory, anywhere. (Unlike std::memcpy, which keeps the compiler from holding arrays of lanes in registers.)
+template <class L>
+struct Unaligned {
+  using Type __attribute__((aligned(alignof(double)), may_alias)) = L;
+};
+
+template <class L = Lanes>
+L load_lanes(const double* from) {
+  return *reinterpret_cast<const typename Unaligned<L>::Type*>(from);
+}
+
+template <class L>
+void store_lanes(double* to, L x) {
+  *reinterpret_cast<typename Unaligned<L>::Type*>(to) = x;
+}
+
+template <class L = Lanes>
+L splat(double x) {
+  return x - L{};
+}
+
+/// For templates over double and lanes.
+inline double sqrt(double x) { return __builtin_sqrt(x); }
+
+template <class L>
+requires requires(L x) { x[0]; }
+L sqrt(L x) {
+#ifdef __wasm_simd128__
+  return static_cast<L>(wasm_f64x2_sqrt(x));
+#else
+  for (int i = 0; i < kCount<L>; ++i) x[i] = __builtin_sqrt(x[i]);
   return x;
+#endif
 }
 
-inline void store_lanes(double* to, Lanes x) { std::memcpy(to, &x, sizeof x); }
-
-inline Lanes splat(double x) {
-  Lanes result;
-  for (int i = 0; i < kLaneCount; ++i) result[i] = x;
-  return result;
-}
-
-/// For templates over double and Lanes.
-inline double sqrt(double x) { return std::sqrt(x); }
-
-inline Lanes sqrt(Lanes x) {
-  for (int i = 0; i < kLaneCount; ++i) x[i] = std::sqrt(x[i]);
-  return x;
-}
-
-inline double sum_lanes(Lanes x) {
+template <class L>
+double sum_lanes(L x) {
+  if constexpr (kCount<L> == 2) return x[0] + x[1];
   double sum = 0;
-  for (int i = 0; i < kLaneCount; ++i) sum += x[i];
+  for (int i = 0; i < kCount<L>; ++i) sum += x[i];
   return sum;
 }
 
-}  // namespace umbilic
+/// Lanes added up to as many as ShortLanes has.
+template <class L>
+ShortLanes fold(L x) {
+  if constexpr (kCount < L >> kShortLaneCount) {
+    return __builtin_shufflevector(x, x, 0, 1, 2, 3) + __builtin_shufflevector(x, x, 4, 5, 6, 7);
+  } else {
+    return x;
+  }
+}
+
+/// sums[i] = the sum of x[i]'s lanes, side by side.
+template <class L>
+void sum_lanes_of_four(const L (&x)[4], double* sums) {
+  if constexpr (kCount<L> == 2) {
+    store_lanes(sums, __builtin_shufflevector(x[0], x[1], 0, 2) + __builtin_shufflevector(x[0], x[1], 1, 3));
+    store_lanes(sums + 2, __builtin_shufflevector(x[2], x[3], 0, 2) + __builtin_shufflevector(x[2], x[3], 1, 3));
+  } else {
+    const L a = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6) + __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    const L b = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6) + __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    store_lanes(sums, __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7));
+  }
+}
+
+template <class L>
+double least_lane(L x) {
+  double least = x[0];
+  for (int i = 1; i < kCount<L>; ++i) least = x[i] < least ? x[i] : least;
+  return least;
+}
+
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET

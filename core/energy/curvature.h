@@ -19,7 +19,7 @@
 #include "base/lanes.h"
 #include "energy/vector3.h"
 
-namespace umbilic {
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
 
 template <class T>
 struct Jet {
@@ -61,7 +61,8 @@ class CurvatureFrame {
   const Curvature<T>& value() const { return value_; }
   const Vec3<T>& normal() const { return normal_; }
 
-  /// The jet's adjoint from the curvature's.
+  /// The jet's adjoint from the curvature's, whose C counts `kWithThird` only.
+  template <bool kWithThird = kThird>
   Jet<T> pull_back(const Curvature<T>& adjoint) const;
 
   /// The part of C that is linear in t = n . X_ijk, and its transpose.
@@ -137,13 +138,14 @@ class CurvatureFrame {
 };
 
 template <class T, bool kThird>
+template <bool kWithThird>
 Jet<T> CurvatureFrame<T, kThird>::pull_back(const Curvature<T>& adjoint) const {
   Jet<T> jet{};
   FrameAdjoint frame;
   Vec3<T> normal_adjoint{};
   T p = adjoint.p, q = adjoint.q, r = adjoint.r;
 
-  if constexpr (kThird) {
+  if constexpr (kWithThird) {
     const T(&c)[4] = adjoint.c;
     const T(&g1)[3] = christoffel_[0];
     const T(&g2)[3] = christoffel_[1];
@@ -205,4 +207,4 @@ Jet<T> CurvatureFrame<T, kThird>::pull_back(const Curvature<T>& adjoint) const {
   return jet;
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET

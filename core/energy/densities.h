@@ -8,9 +8,9 @@
 #pragma once
 
 #include "energy/curvature.h"
-#include "energy/functional.h"
+#include "energy/functional_list.h"
 
-namespace umbilic {
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
 
 /// Relative to the norm of II. Changes a density by the order of (eta |II| / (kappa1 - kappa2))^2.
 inline constexpr double kUmbilicEta = 1e-6;
@@ -151,4 +151,4 @@ T weighted_density(const double* weights, const Curvature<T>& k, const T& scale,
   return sum;
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET

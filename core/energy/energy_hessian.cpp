@@ -6,10 +6,15 @@
 #include <algorithm>
 
 #include "base/lanes.h"
-#include "energy/patch_hessian.h"
+#include "energy/energy_kernels.h"
 
 namespace umbilic {
 namespace {
+
+int padded_columns(int columns) {
+  constexpr int kMultiple = HessianPatch::kColumnMultiple;
+  return (columns + kMultiple - 1) / kMultiple * kMultiple;
+}
 
 Eigen::MatrixXd padded(const Eigen::MatrixXd& basis, int columns) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(basis.rows(), columns);
@@ -46,14 +51,14 @@ void turn_back(const Eigen::Matrix3d& turn, int columns, std::vector<double>& bl
 }  // namespace
 
 EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights)
-    : layout_(layout), weights_(weights), third_order_(umbilic::third_order(weights)) {
+    : layout_(layout), weights_(weights) {
   int widest = 0;
   for (const PatchSet& set : layout.sets()) {
     std::vector<Sample> samples = set.kind.regular()            ? tensor_rule(rule.regular_points)
                                   : set.kind.at_extraordinary() ? graded_rule(rule.cap_points, rule.grading)
                                                                 : tensor_rule(rule.cap_points);
-    pad_samples(samples, kLaneCount);
-    Kind kind{basis_table(set.kind, samples, 1, kDerivativeCount), {}, (set.columns + 3) / 4 * 4};
+    pad_samples(samples, kSampleMultiple);
+    Kind kind{basis_table(set.kind, samples, 1, kDerivativeCount), {}, padded_columns(set.columns)};
     kind.table.basis = padded(kind.table.basis, kind.padded);
     if (set.kind.shape == CapShape::kFlat) {
       kind.table.flattening = padded(kind.table.flattening, kind.padded);
@@ -62,18 +67,18 @@ EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& ru
     widest = std::max(widest, kind.padded);
     kinds_.push_back(std::move(kind));
   }
-  scratch_.resize(patch_hessian_scratch(widest));
+  scratch_.resize(HessianPatch::scratch(widest));
   block_.resize(static_cast<std::size_t>(9) * widest * widest);
 }
 
 void EnergyHessian::move_to(const Points& control, const EnergyValue& value) {
   points_ = layout_.extend(control);
   frames_ = flat_frames(layout_, points_);
-  scaled_ = weights_;
   for (int f = 0; f < kFunctionalCount; ++f) {
-    if (is_third_order(f)) scaled_[f] *= value.area;
+    integrand_.weights[f] = weights_[f] * (is_third_order(f) ? value.area : 1);
   }
-  area_factor_ = third_order_ ? value.third : 0;
+  integrand_.third_order = third_order(weights_);
+  integrand_.area_factor = integrand_.third_order ? value.third : 0;
 }
 
 const double* EnergyHessian::patch(int set, int patch) {
@@ -92,12 +97,11 @@ const double* EnergyHessian::patch(int set, int patch) {
   const double* basis = kind.table.basis.data();
   const HessianPatch input{kind.table.samples,
                            kind.padded,
-                           third_order_,
                            kind.table.weights.data(),
                            jets.data(),
                            {basis, basis, flat ? kind.normal_part.data() : basis},
                            static_cast<int>(kind.table.basis.rows())};
-  patch_hessian(input, scaled_, area_factor_, scratch_.data(), block_.data());
+  energy_kernels().patch_hessian(input, integrand_, scratch_.data(), block_.data());
   if (flat) turn_back(turn, kind.padded, block_);
   return block_.data();
 }

@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "energy/hessian_patch.h"
 #include "energy/surface_energy.h"
 #include "surface/basis_table.h"
 #include "surface/flat_frame.h"
@@ -24,7 +25,7 @@ class EnergyHessian {
   void move_to(const Points& control, const EnergyValue& value);
 
   /// The matrix of a patch (of one that it stands for): row-major, 3 columns(set) x 3 columns(set), as
-  /// `patch_hessian` leaves it. Valid until the next call.
+  /// EnergyKernels::patch_hessian leaves it. Valid until the next call.
   const double* patch(int set, int patch);
   int columns(int set) const { return kinds_[set].padded; }
   int samples(int set) const { return kinds_[set].table.samples; }
@@ -38,13 +39,11 @@ class EnergyHessian {
 
   const PatchLayout& layout_;
   Weights weights_;
-  bool third_order_;
   std::vector<Kind> kinds_;
 
   Points points_;
   std::vector<FlatFrame> frames_;
-  Weights scaled_{};
-  double area_factor_ = 0;
+  WeightedIntegrand integrand_{};
   std::vector<double> scratch_, block_;
 };
 

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The functionals' names, orders and weighted sums.
+/// The functionals' names and weighted sums.
 #pragma once
 
 #include <array>
 #include <string_view>
 
 #include "base/result.h"
+#include "energy/functional_list.h"
 
 namespace umbilic {
-
-enum Functional { kBending, kWillmore, kMvs, kMvsCross, kMehlumTarrou, kSecondFormVariation };
-inline constexpr int kFunctionalCount = 6;
 
 /// "bending", "willmore", "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation".
 inline constexpr std::array<std::string_view, kFunctionalCount> kFunctionalNames{
     "bending", "willmore", "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation"};
-
-/// Third-order functionals integrate squared curvature derivatives and carry the factor area.
-constexpr bool is_third_order(int functional) { return functional >= kMvs; }
 
 /// Weights of the functionals, in the order of the enum: Joshi & Sequin's eq. 9 for any of them.
 using Weights = std::array<double, kFunctionalCount>;

@@ -4,7 +4,9 @@
 /// vectorize.
 #pragma once
 
-namespace umbilic {
+#include "base/kernel_namespace.h"
+
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
 
 template <class T>
 struct Vec3 {
@@ -30,4 +32,4 @@ Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET

@@ -7,9 +7,9 @@
 #include <cassert>
 
 #include "base/lanes.h"
-#include "surface/dense_product.h"
 #include "surface/flat_frame.h"
 #include "surface/regular_kernel.h"
+#include "surface/surface_kernels.h"
 
 namespace umbilic {
 namespace {
@@ -40,7 +40,7 @@ struct JetEvaluator::Group {
     }
     std::vector<Sample> points =
         set.kind.at_extraordinary() ? graded_rule(rule.cap_points, rule.grading) : tensor_rule(rule.cap_points);
-    pad_samples(points, kLaneCount);
+    pad_samples(points, kSampleMultiple);
     table = basis_table(set.kind, points, 1, kDerivativeCount);
     samples = table.samples;
     weights = table.weights.data();
@@ -170,9 +170,9 @@ class Pass {
     const double* local = gather(group, begin, patches);
     const BasisTable& table = group.table;
     const int rows = derivatives_ * group.samples, stride = static_cast<int>(table.basis.rows());
-    dense_product(table.basis.data(), stride, rows, table.columns, local, patches, jets_.data());
+    kernels_.dense_product(table.basis.data(), stride, rows, table.columns, local, patches, jets_.data());
     if (!group.flat()) return;
-    dense_product(table.flattening.data(), stride, rows, table.columns, local, patches, offsets_.data());
+    kernels_.dense_product(table.flattening.data(), stride, rows, table.columns, local, patches, offsets_.data());
     MatrixMap jets(jets_.data(), rows, 3 * patches);
     const MatrixMap offsets(offsets_.data(), rows, 3 * patches);
     for (int p = 0; p < patches; ++p) {
@@ -185,7 +185,8 @@ class Pass {
     const BasisTable& table = group.table;
     const int rows = channels_[channel].derivatives * group.samples, stride = static_cast<int>(table.basis.rows());
     double* local = local_gradient_.data();
-    dense_transposed_product(table.basis.data(), stride, rows, table.columns, adjoints_[channel], patches, local);
+    kernels_.dense_transposed_product(table.basis.data(), stride, rows, table.columns, adjoints_[channel], patches,
+                                      local);
     scatter(group, begin, patches, 1, gradients_[channel]);
     if (!group.flat()) return;
     const MatrixMap adjoint(adjoints_[channel], rows, 3 * patches);
@@ -200,7 +201,8 @@ class Pass {
       flattened.middleCols<3>(3 * p).noalias() = along * normal.transpose();
       normal_adjoints_[channel][cap] -= jet_adjoint.transpose() * (offset * normal) + offset.transpose() * along;
     }
-    dense_transposed_product(table.flattening.data(), stride, rows, table.columns, flattened_.data(), patches, local);
+    kernels_.dense_transposed_product(table.flattening.data(), stride, rows, table.columns, flattened_.data(), patches,
+                                      local);
     scatter(group, begin, patches, -1, gradients_[channel]);
   }
 
@@ -216,6 +218,7 @@ class Pass {
     }
   }
 
+  const SurfaceKernels& kernels_ = surface_kernels();
   const PatchLayout& layout_;
   Points points_;
   int derivatives_;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "surface/jet_block.h"
 #include "surface/layout.h"
 
 namespace umbilic {
@@ -17,19 +18,6 @@ namespace umbilic {
 /// The adjoints that a visitor may leave: the first `derivatives` of each jet, 2, 5 or 9.
 struct AdjointChannel {
   int derivatives;
-};
-
-/// Jets of some patches of one kind. Sample s of patch p, derivative d, coordinate c stands at
-/// [((p * 3 + c) * derivatives + d) * samples + s], in `jets` and, with their own number of derivatives, in the
-/// adjoints.
-struct JetBlock {
-  int patches;
-  int samples;                   ///< per patch, a multiple of kLaneCount; surplus ones have weight 0
-  int derivatives;               ///< in `jets`
-  const double* weights;         ///< of each sample of a patch, in the measure du dv
-  const double* multiplicities;  ///< of each patch: how many it stands for
-  const double* jets;
-  double* const* adjoints;  ///< of each channel, to be overwritten; null without channels
 };
 
 using JetVisitor = std::function<void(const JetBlock&)>;

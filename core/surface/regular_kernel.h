@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "surface/quadrature.h"
+#include "surface/surface_kernels.h"
 
 namespace umbilic {
 
 class RegularKernel {
  public:
-  /// The rule's tensor product; nodes along u are padded to full lanes with weight 0.
+  /// The rule's tensor product; nodes along u are padded to a multiple of kSampleMultiple with weight 0.
   explicit RegularKernel(int points_per_direction);
 
   int samples() const { return width_ * points_; }
@@ -29,16 +30,13 @@ class RegularKernel {
   void pull_back(const double* adjoint, int derivatives, double* gradient) const;
 
  private:
-  template <class Count>
-  void jets_on(Count count, const double* points, int derivatives, double* jets) const;
-  template <class Count>
-  void pull_back_on(Count count, const double* adjoint, int derivatives, double* gradient) const;
+  RegularGrid grid() const { return {points_, width_, along_u_.data(), along_v_.data(), partial_.data()}; }
 
   int points_, width_;
   std::vector<double> along_u_;  // [k][a][i], i < width
   std::vector<double> along_v_;  // [l][j][b]
   Eigen::VectorXd weights_;
-  mutable std::vector<double> partial_;  // [c][k][b][i]
+  mutable std::vector<double> partial_;
 };
 
 }  // namespace umbilic

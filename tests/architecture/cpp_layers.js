@@ -105,7 +105,8 @@ export function target(layer) {
 }
 
 /**
- * CMake links each layer's target to the one before it and nothing else of the project; the C API hangs on the driver.
+ * CMake links each layer's target to the one before it and its own kernels, and nothing else of the project; the C API hangs on the
+ * driver, and kernels on nothing but settings.
  * @param {string} graph what `cmake --graphviz` writes
  * @returns {string[]}
  */
@@ -114,10 +115,15 @@ export function linkOrder(graph) {
   /** @type {Record<string, string>} */
   const expected = { umbilic_base: 'umbilic_settings', umbilic_api: 'umbilic_driver' };
   layers.slice(1).forEach((layer, index) => (expected[target(layer)] = target(layers[index])));
-  return Object.entries(expected).flatMap(([name, above]) => {
-    const found = links.filter(({ from }) => from === name).map(({ to }) => to);
-    return found.length === 1 && found[0] === above
-      ? []
-      : [`${name} links ${found.join(', ') || 'nothing'}, not ${above}`];
-  });
+  const kernels = /^(umbilic_\w+)_(portable|avx2|avx512)$/;
+  const problems = links
+    .filter(({ from, to }) => kernels.test(from) && !/^umbilic_(settings|for_\w+)$/.test(to))
+    .map(({ from, to }) => `${from} links ${to}`);
+  for (const [name, above] of Object.entries(expected)) {
+    const found = links.filter(({ from, to }) => from === name && kernels.exec(to)?.[1] !== name).map(({ to }) => to);
+    if (found.length !== 1 || found[0] !== above) {
+      problems.push(`${name} links ${found.join(', ') || 'nothing'}, not ${above}`);
+    }
+  }
+  return problems;
 }

@@ -94,5 +94,11 @@ describe('the checks fail on', () => {
       'umbilic_mesh links umbilic_cage, umbilic_driver, not umbilic_cage',
     ]);
     expect(linkOrder(chain.slice(1).join('\n'))).toEqual(['umbilic_cage links nothing, not umbilic_base']);
+
+    const kernels = ['// umbilic_mesh -> umbilic_mesh_avx2', '// umbilic_mesh_avx2 -> umbilic_settings'];
+    expect(linkOrder([...chain, ...kernels].join('\n'))).toEqual([]);
+    expect(linkOrder([...chain, '// umbilic_mesh_avx2 -> umbilic_base'].join('\n'))).toEqual([
+      'umbilic_mesh_avx2 links umbilic_base',
+    ]);
   });
 });

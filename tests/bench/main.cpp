@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string>
 
-#include "base/lanes.h"
+#include "base/instruction_set.h"
 #include "cage/generate.h"
 #include "driver/run.h"
 #include "driver/surface.h"
@@ -136,6 +136,7 @@ int main(int argc, char** argv) {
   const bool rules = argc > 1 && std::strcmp(argv[1], "quadrature") == 0;
   const std::string text =
       rules ? fmt::format(R"({{"quadrature":{}}})", quadrature())
-            : fmt::format(R"({{"lanes":{},"throughput":{},"phases":{}}})", kLaneCount, throughput(), phases());
+            : fmt::format(R"({{"instructionSet":"{}","throughput":{},"phases":{}}})",
+                          kInstructionSetNames[static_cast<int>(instruction_set())], throughput(), phases());
   std::puts(text.c_str());
 }

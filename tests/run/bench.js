@@ -10,7 +10,7 @@ import { installPackages, installTools } from './install.js';
 
 /** @typedef {{functional: string, cap: string, patches: number, samples: number, samplesPerSecond: number, tableBytes: number}} Throughput */
 /** @typedef {{phase: string, seconds: number}} PhaseSeconds */
-/** @typedef {{lanes: number, throughput: Throughput[], phases: PhaseSeconds[]}} Speed */
+/** @typedef {{instructionSet: string, throughput: Throughput[], phases: PhaseSeconds[]}} Speed */
 /** @typedef {{functional: string, cap: string, regular: number, capped: number, grading: number, samples: number, error: number}} RuleError */
 
 /** Rounds of both programs in turn; the best of each counts, because other work on the machine only slows them. */
@@ -38,7 +38,7 @@ const webAssembly = () => read(process.execPath, 'build/wasm/umbilic_bench.cjs')
 /** The best of every figure. @param {Speed[]} runs @returns {Speed} */
 function best(runs) {
   return {
-    lanes: runs[0].lanes,
+    instructionSet: runs[0].instructionSet,
     throughput: runs[0].throughput.map((row, i) => ({
       ...row,
       samplesPerSecond: Math.max(...runs.map((run) => run.throughput[i].samplesPerSecond)),
@@ -54,7 +54,7 @@ function printSpeed() {
   const runs = Array.from({ length: rounds }, () => ({ native: native(), wasm: webAssembly() }));
   const [n, w] = [best(runs.map((run) => run.native)), best(runs.map((run) => run.wasm))];
   const { patches } = n.throughput[0];
-  console.log(`Energy and gradient, genus-2 flag frame, level 3, ${patches} patches, one core, ${n.lanes} lanes:`);
+  console.log(`Energy and gradient, genus-2 flag frame, level 3, ${patches} patches, one core, ${n.instructionSet}:`);
   console.log('million samples/s, all samples evaluated, capped patches included\n');
   printTable(
     ['functional', 'cap', 'samples', 'native', 'WebAssembly', 'ratio', 'tables MB'],

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "energy/densities.h"
+#include "energy/functional.h"
 #include "mesh/rough_cages.h"
 
 namespace umbilic::test {

@@ -16,7 +16,6 @@ namespace {
 
 constexpr CapKind kAllCaps[] = {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth};
 constexpr QuadratureRule kRule{3, 3, 1};
-constexpr int kPaddedRow = 4;  // of regular_points nodes, for 2 and for 4 lanes
 
 /// All jets of a surface, block after block.
 Eigen::VectorXd all_jets(const JetEvaluator& jets, const Points& control, int derivatives) {
@@ -112,15 +111,15 @@ TEST(JetEvaluator, equals_basis_times_points_patch_by_patch) {
     Eigen::Index at = 0;  // sets stand in the order of the layout
     for (const PatchSet& set : layout.sets()) {
       std::vector<Sample> samples;
-      if (set.kind.regular()) {  // each row of nodes padded to whole lanes
+      if (set.kind.regular()) {  // each row of nodes padded
         for (const Sample& sample : tensor_rule(kRule.regular_points)) {
           samples.push_back(sample);
-          if (samples.size() % kPaddedRow == 3) samples.push_back(sample);
+          if (samples.size() % kSampleMultiple == 3) samples.push_back(sample);
         }
       } else {
         samples =
             set.kind.at_extraordinary() ? graded_rule(kRule.cap_points, kRule.grading) : tensor_rule(kRule.cap_points);
-        pad_samples(samples, kLaneCount);
+        pad_samples(samples, kSampleMultiple);
       }
       const int count = static_cast<int>(samples.size());
       const PatchColumns columns = patch_columns(set.kind);

@@ -8,16 +8,11 @@
 #pragma once
 
 #include "energy/densities.h"
-#include "energy/dual_number.h"
-#include "surface/derivatives.h"
+#include "energy/hessian_patch.h"
+#include "energy/kernels/dual_number.h"
+#include "surface/derivative_order.h"
 
-namespace umbilic {
-
-/// The integrand whose derivatives are taken.
-struct WeightedIntegrand {
-  double weights[kFunctionalCount];  ///< of the densities
-  double area_factor;                ///< of the area element alone
-};
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
 
 /// f's gradient.
 template <bool kThird, class T>
@@ -112,4 +107,4 @@ class JetHessian {
   T entries_[kSize][kSize];
 };
 
-}  // namespace umbilic
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET

@@ -6,10 +6,12 @@
 /// because the shapes are known: thousands of rows, tens of columns, a multiple of three points.
 #pragma once
 
-namespace umbilic {
+#include "base/kernel_namespace.h"
+
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
 
 /// out (rows x 3 patches, column-major) = table (rows x columns, column-major, leading dimension `stride`) times
-/// points (columns x 3 patches, row-major). `rows` is a multiple of kLaneCount.
+/// points (columns x 3 patches, row-major). `rows` is a multiple of kSampleMultiple.
 void dense_product(const double* table, int stride, int rows, int columns, const double* points, int patches,
                    double* out);
 
@@ -17,4 +19,4 @@ void dense_product(const double* table, int stride, int rows, int columns, const
 void dense_transposed_product(const double* table, int stride, int rows, int columns, const double* adjoint,
                               int patches, double* out);
 
-}  // namespace umbilic
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Integrates densities over jet blocks, several samples at a time.
+#include "energy/kernels/integrals.h"
+
+#include <cstddef>
+
+#include "energy/densities.h"
+#include "energy/jet_lanes.h"
+
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace {
+
+/// Running sums over the samples in each lane.
+template <class L>
+struct LaneSums {
+  L second{}, third{}, area{}, smallest;
+
+  explicit LaneSums(double least) : smallest(splat<L>(least)) {}
+
+  void add_area(const L& weight, const L& area_element) {
+    area += weight * area_element;
+    smallest = area_element < smallest ? area_element : smallest;
+  }
+
+  void add_to(EnergySums& sums) const {
+    sums.second += sum_lanes(second);
+    sums.third += sum_lanes(third);
+    sums.area += sum_lanes(area);
+    sums.smallest = least_lane(smallest);
+  }
+};
+
+/// Adjoints of weight * area * density with respect to the curvature.
+template <bool kThird, class L>
+L integrand(const double* weights, const Curvature<L>& k, const L& weight, Curvature<L>& adjoint) {
+  const L measure = weight * k.area;
+  const L density = weighted_density<kThird>(weights, k, measure, adjoint);
+  adjoint.area = weight * density;
+  return measure * density;
+}
+
+/// The samples [s, s + lanes) of patch p. Flat, because lanes that are passed to functions go through memory.
+template <bool kSecond, bool kThird, class L>
+[[gnu::flatten]] inline void integrate_samples(const double* weights, const JetBlock& block, int p, int s,
+                                               const L& weight, LaneSums<L>& sums) {
+  constexpr int kSecondChannel = 0, kThirdChannel = kSecond ? 1 : 0, kAreaChannel = kThirdChannel + 1;
+  const int samples = block.samples, derivatives = block.derivatives;
+  const std::size_t at = static_cast<std::size_t>(3) * samples * p;
+  const Jet<L> jet = load_jet<kThird, L>(block.jets + at * derivatives + s, samples, derivatives);
+  const CurvatureFrame<L, kThird> frame(jet);
+  const Curvature<L>& k = frame.value();
+  sums.add_area(weight, k.area);
+  if constexpr (kSecond) {
+    Curvature<L> adjoint{};
+    sums.second += integrand<false>(weights, k, weight, adjoint);
+    if (block.adjoints) {
+      store_jet<false>(block.adjoints[kSecondChannel] + at * kSecondOrderCount + s, samples,
+                       frame.template pull_back<false>(adjoint));
+    }
+  }
+  if constexpr (kThird) {
+    Curvature<L> adjoint{};
+    sums.third += integrand<true>(weights, k, weight, adjoint);
+    if (block.adjoints) {
+      store_jet<true>(block.adjoints[kThirdChannel] + at * kThirdOrderCount + s, samples, frame.pull_back(adjoint));
+      const Vec3<L> n = frame.normal() * weight;
+      double* area = block.adjoints[kAreaChannel] + at * kFirstOrderCount + s;
+      store_vector(area, kFirstOrderCount * samples, cross(jet.first[1], n));
+      store_vector(area + samples, kFirstOrderCount * samples, cross(n, jet.first[0]));
+    }
+  }
+}
+
+template <bool kSecond, bool kThird>
+void integrate_block(const double* weights, const JetBlock& block, EnergySums& sums) {
+  LaneSums<Lanes> wide(sums.smallest);
+  LaneSums<ShortLanes> rest(sums.smallest);
+  for (int p = 0; p < block.patches; ++p) {
+    const double multiplicity = block.multiplicities[p];
+    int s = 0;
+    for (; s + kLaneCount <= block.samples; s += kLaneCount) {
+      const Lanes weight = multiplicity * load_lanes(block.weights + s);
+      integrate_samples<kSecond, kThird>(weights, block, p, s, weight, wide);
+    }
+    if constexpr (kShortLaneCount < kLaneCount) {
+      for (; s < block.samples; s += kShortLaneCount) {
+        const ShortLanes weight = multiplicity * load_lanes<ShortLanes>(block.weights + s);
+        integrate_samples<kSecond, kThird>(weights, block, p, s, weight, rest);
+      }
+    }
+  }
+  wide.add_to(sums);
+  if constexpr (kShortLaneCount < kLaneCount) {
+    rest.smallest = rest.smallest < sums.smallest ? rest.smallest : splat<ShortLanes>(sums.smallest);
+    rest.add_to(sums);
+  }
+}
+
+template <class L>
+struct LaneFunctionals {
+  L functionals[kFunctionalCount] = {}, area{}, gaussian{};
+
+  [[gnu::flatten]] void add(const Jet<L>& jet, const L& weight) {
+    const CurvatureFrame<L, true> frame(jet);
+    const Curvature<L>& k = frame.value();
+    const L measure = weight * k.area, none{};
+    const PrincipalAngle<L> angle(k);
+    Curvature<L> unused{};
+    functionals[kBending] += measure * bending_density(k, none, unused);
+    functionals[kWillmore] += measure * willmore_density(k, none, unused);
+    functionals[kMvs] += measure * mvs_density(k, angle, none, unused);
+    functionals[kMvsCross] += measure * mvs_cross_density(k, angle, none, unused);
+    functionals[kMehlumTarrou] += measure * mehlum_tarrou_density(k, none, unused);
+    functionals[kSecondFormVariation] += measure * second_form_variation_density(k, none, unused);
+    area += measure;
+    gaussian += measure * (k.p * k.r - k.q * k.q);
+  }
+
+  void add_to(FunctionalSums& sums) const {
+    for (int i = 0; i < kFunctionalCount; ++i) sums.functionals[i] += sum_lanes(functionals[i]);
+    sums.area += sum_lanes(area);
+    sums.gaussian += sum_lanes(gaussian);
+  }
+};
+
+}  // namespace
+
+void integrate(const double* weights, bool second_order, bool third_order, const JetBlock& block, EnergySums& sums) {
+  if (!third_order) {
+    integrate_block<true, false>(weights, block, sums);
+  } else if (!second_order) {
+    integrate_block<false, true>(weights, block, sums);
+  } else {
+    integrate_block<true, true>(weights, block, sums);
+  }
+}
+
+void integrate_all(const JetBlock& block, FunctionalSums& sums) {
+  LaneFunctionals<ShortLanes> lanes;
+  for (int p = 0; p < block.patches; ++p) {
+    const double* begin = block.jets + static_cast<std::size_t>(3) * block.samples * p * block.derivatives;
+    for (int s = 0; s < block.samples; s += kShortLaneCount) {
+      lanes.add(load_jet<true, ShortLanes>(begin + s, block.samples, block.derivatives),
+                block.multiplicities[p] * load_lanes<ShortLanes>(block.weights + s));
+    }
+  }
+  lanes.add_to(sums);
+}
+
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The second derivatives of one patch's integral by its local points: W^T D W, with D the jets' Hessians and W the
+/// basis.
+#pragma once
+
+#include "base/kernel_namespace.h"
+#include "energy/energy_kernels.h"
+
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+
+/// As EnergyKernels says.
+void patch_hessian(const HessianPatch& patch, const WeightedIntegrand& f, double* scratch, double* out);
+
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// This layer's kernels for one instruction set.
+#include "energy/kernels/integrals.h"
+#include "energy/kernels/patch_hessian.h"
+
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+
+extern const EnergyKernels kEnergyKernels{integrate, patch_hessian, integrate_all};
+
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The tensor product of surface/regular_kernel.h, contracted, and its transpose.
+#pragma once
+
+#include "base/kernel_namespace.h"
+#include "surface/surface_kernels.h"
+
+namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+
+/// As RegularKernel::jets and RegularKernel::pull_back.
+void regular_jets(const RegularGrid& grid, const double* points, int derivatives, double* jets);
+void pull_back_regular_jets(const RegularGrid& grid, const double* adjoint, int derivatives, double* gradient);
+
+}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// This layer's kernels: what is compiled once per instruction set, from the folder kernels/, and called through a
+/// table.
+#pragma once
+
+namespace umbilic {
+
+/// The basis of a tensor grid of nodes on a regular face; see surface/regular_kernel.h.
+struct RegularGrid {
+  int points, width;      ///< nodes per direction, and along u with padding
+  const double* along_u;  ///< [k][a][i], i < width
+  const double* along_v;  ///< [l][j][b]
+  double* partial;        ///< scratch memory, [c][k][b][i]
+};
+
+/// The contracts stand beside the declarations in kernels/.
+struct SurfaceKernels {
+  void (*regular_jets)(const RegularGrid& grid, const double* points, int derivatives, double* jets);
+  void (*pull_back_regular_jets)(const RegularGrid& grid, const double* adjoint, int derivatives, double* gradient);
+  void (*dense_product)(const double* table, int stride, int rows, int columns, const double* points, int patches,
+                        double* out);
+  void (*dense_transposed_product)(const double* table, int stride, int rows, int columns, const double* adjoint,
+                                   int patches, double* out);
+};
+
+/// For the instruction set in use.
+const SurfaceKernels& surface_kernels();
+
+}  // namespace umbilic

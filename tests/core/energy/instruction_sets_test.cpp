@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Energies, their gradients and all integrals by the kernels of every instruction set.
+#include <gtest/gtest.h>
+
+#include "base/each_instruction_set.h"
+#include "energy/surface_energy.h"
+#include "mesh/rough_cages.h"
+
+namespace umbilic::test {
+namespace {
+
+constexpr CapKind kAllCaps[] = {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth};
+
+/// Each functional alone, then all of them.
+std::vector<Weights> all_weights() {
+  std::vector<Weights> all{{0.3, 0.2, 1e-3, 2e-3, 1e-3, 3e-3}};
+  for (int f = 0; f < kFunctionalCount; ++f) {
+    Weights single{};
+    single[f] = 1;
+    all.push_back(single);
+  }
+  return all;
+}
+
+TEST(InstructionSets, agree_on_energies_and_gradients_with_every_functional_and_cap) {
+  for (const CapKind cap : kAllCaps) {
+    const Refined mesh = rough(trapezohedron(5), 2, 0.01, 8);
+    const PatchLayout layout(mesh.mesh, cap);
+    const JetEvaluator jets(layout, {4, 5, 1});
+    for (const Weights& weights : all_weights()) {
+      const SurfaceEnergy energy(jets, weights);
+      EnergyValue expected;
+      Points expected_gradient;
+      with_each_instruction_set([&](InstructionSet set) {
+        Points gradient;
+        const EnergyValue value = energy.evaluate(mesh.control, &gradient);
+        if (set == InstructionSet::kPortable) {
+          expected = value;
+          expected_gradient = gradient;
+        }
+        // Third derivatives near an extraordinary vertex lose some digits.
+        EXPECT_NEAR(value.energy / expected.energy, 1, 1e-11);
+        EXPECT_NEAR(value.second, expected.second, 1e-12 * expected.second);
+        EXPECT_NEAR(value.third, expected.third, 1e-11 * expected.third);
+        EXPECT_NEAR(value.area / expected.area, 1, 1e-13);
+        EXPECT_NEAR(value.regularity / expected.regularity, 1, 1e-11);
+        EXPECT_LT((gradient - expected_gradient).norm(), 1e-10 * expected_gradient.norm());
+        EXPECT_EQ(energy.evaluate(mesh.control, nullptr).energy, value.energy) << "with or without gradient";
+      });
+    }
+  }
+}
+
+TEST(InstructionSets, agree_on_all_integrals_with_every_cap) {
+  for (const CapKind cap : kAllCaps) {
+    const Refined mesh = rough(trapezohedron(5), 2, 0.01, 9);
+    const PatchLayout layout(mesh.mesh, cap);
+    const JetEvaluator jets(layout, {7, 6, 2});
+    SurfaceIntegrals expected;
+    with_each_instruction_set([&](InstructionSet set) {
+      const SurfaceIntegrals value = surface_integrals(jets, mesh.control);
+      if (set == InstructionSet::kPortable) expected = value;
+      for (int f = 0; f < kFunctionalCount; ++f) {
+        EXPECT_NEAR(value.functionals[f] / expected.functionals[f], 1, 1e-11) << kFunctionalNames[f];
+      }
+      EXPECT_NEAR(value.area / expected.area, 1, 1e-13);
+      EXPECT_NEAR(value.gaussian, expected.gaussian, 1e-11 * 4 * 3.15);
+    });
+  }
+}
+
+}  // namespace
+}  // namespace umbilic::test
