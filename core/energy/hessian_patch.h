@@ -25,7 +25,7 @@ struct HessianPatch {
 
   static constexpr int kColumnMultiple = 4;
   /// Doubles of scratch memory that the kernel wants.
-  static constexpr int scratch(int columns) { return 4 * (6 * columns * columns + 9 * columns); }
+  static constexpr int scratch(int columns) { return 4 * (6 * columns * columns + 9 * columns + 1); }
 };
 
 }  // namespace umbilic

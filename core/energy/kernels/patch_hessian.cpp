@@ -65,11 +65,17 @@ void accumulate(const double* basis, int stride, int samples, int columns, const
   }
 }
 
+/// The next multiple of the size of lanes.
+void* aligned(double* scratch) {
+  const auto address = reinterpret_cast<__UINTPTR_TYPE__>(scratch);
+  return scratch + (sizeof(L) - address % sizeof(L)) % sizeof(L) / sizeof(double);
+}
+
 template <bool kThird>
 void contract(const HessianPatch& patch, const WeightedIntegrand& f, double* scratch, double* out) {
   constexpr int kDerivatives = kThird ? kThirdOrderCount : kSecondOrderCount;
   const int columns = patch.columns, block = columns * columns;
-  L* sums = reinterpret_cast<L*>(scratch);
+  L* sums = static_cast<L*>(aligned(scratch));
   L* products = sums + kPairs * block;
   for (int i = 0; i < kPairs * block; ++i) sums[i] = L{};
   for (int s = 0; s < patch.samples; s += kShortLaneCount) {
