@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kThroughputLevel = 3;
 
-RefinedCage genus_two(int level) { return *refine(*generate_cage("two-3"), level); }
+RefinedCage genus_two(int level) { return *refine_to_evaluable(*generate_cage("two-3"), level, false); }
 
 Weights only(int functional) {
   Weights weights{};
@@ -43,7 +43,7 @@ std::string throughput() {
     for (int f = 0; f < kFunctionalCount; ++f) {
       RefinedCage cage = genus_two(kThroughputLevel);
       const Points control = cage.control;
-      const Surface surface(std::move(cage.mesh), cap, only(f));
+      const Surface surface(std::move(cage), cap, only(f));
       Points gradient;
       const double seconds = best_seconds([&] { surface.energy().evaluate(control, &gradient); });
       rows.push_back(fmt::format(
@@ -65,21 +65,24 @@ std::string phases() {
   const auto add = [&](const char* name, double seconds) {
     rows.push_back(fmt::format(R"({{"phase":"{}","seconds":{:.6g}}})", name, seconds));
   };
-  const Surface surface(refined.mesh, CapKind::kSmooth, weights);
+  const Surface surface(refined, CapKind::kSmooth, weights);
+  const Unknowns unknowns{Coordinates(refined.mesh.vertex_count())};
   Points gradient;
-  SobolevMetric metric(surface.layout(), weights, refined.control);
+  SobolevMetric metric(surface.energy(), unknowns);
   const double metric_seconds = best_seconds(
       [&] {
-        SobolevMetric fresh(surface.layout(), weights, refined.control);
+        SobolevMetric fresh(surface.energy(), unknowns);
+        fresh.begin(refined.control);
         while (!fresh.advance()) {
         }
       },
       0.5, 1);
+  metric.begin(refined.control);
   while (!metric.advance()) {
   }
   const Eigen::VectorXd right = Eigen::VectorXd::Ones(refined.control.size());
-  add("refine the cage", best_seconds([&] { (void)refine(cage, kThroughputLevel); }));
-  add("layout and tables", best_seconds([&] { Surface(refined.mesh, CapKind::kSmooth, weights); }));
+  add("refine the cage", best_seconds([&] { (void)refine_to_evaluable(cage, kThroughputLevel, false); }));
+  add("layout and tables", best_seconds([&] { Surface(refined, CapKind::kSmooth, weights); }));
   add("Sobolev metric, assembled and factored", metric_seconds);
   add("metric solve", best_seconds([&] { (void)metric.solve(right); }));
   add("energy and gradient", best_seconds([&] { surface.energy().evaluate(refined.control, &gradient); }));

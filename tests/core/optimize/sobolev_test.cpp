@@ -42,7 +42,11 @@ Eigen::VectorXd random_vector(int size, int seed) {
 
 Eigen::VectorXd solve(const PatchLayout& layout, const Weights& weights, const Points& control,
                       const Eigen::VectorXd& right) {
-  SobolevMetric metric(layout, weights, control);
+  const JetEvaluator jets(layout, {4, 4, 2});
+  const SurfaceEnergy energy(jets, weights);
+  const Unknowns unknowns{Coordinates(layout.control_count())};
+  SobolevMetric metric(energy, unknowns);
+  metric.begin(control);
   while (!metric.advance()) {
   }
   return metric.solve(right);
@@ -106,7 +110,9 @@ TEST(SobolevMetric, leaves_less_than_half_of_what_the_plain_gradient_leaves_of_a
   const JetEvaluator jets(layout, {4, 4, 2});
   const SurfaceEnergy energy(jets, only(kMvsCross));
   const SurfaceFunction objective(energy);
-  SobolevMetric sobolev(layout, only(kMvsCross), control);
+  const Unknowns unknowns{Coordinates(layout.control_count())};
+  SobolevMetric sobolev(energy, unknowns);
+  sobolev.begin(control);
   while (!sobolev.advance()) {
   }
   const Identity identity;
