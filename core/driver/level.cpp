@@ -45,6 +45,10 @@ std::unique_ptr<SurfaceMetric> make_metric(const Surface& surface, const Unknown
   return nullptr;
 }
 
+int euler_characteristic(const PolygonMesh& mesh) {
+  return mesh.vertex_count() - mesh.edge_count() + mesh.face_count();
+}
+
 Unknowns unknowns_of(const RefinedCage& cage, const Coordinates& coordinates, const Surface& surface) {
   Coordinates fine(surface.mesh(), surface.symmetry());
   if (surface.level() == cage.level) return Unknowns(std::move(fine));
@@ -65,7 +69,7 @@ Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options
       coordinates_(start_.mesh, start_.symmetry),
       surface_(refine(start_, evaluated_level - start_.level), options.cap, options.weights),
       unknowns_(unknowns_of(start_, coordinates_, surface_)),
-      objective_(surface_.energy(), unknowns_),
+      objective_(surface_.energy(), unknowns_, euler_characteristic(surface_.mesh()), surface_.start()),
       metric_(make_metric(surface_, unknowns_, options)) {
   if (metric_) metric_->begin(surface_.start());
   building_ = metric_ != nullptr;

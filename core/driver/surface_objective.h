@@ -9,16 +9,21 @@
 
 namespace umbilic {
 
+/// Where the integral of the Gaussian curvature leaves 2 pi times the Euler characteristic, curvature hides between the
+/// samples, as in the necks of a surface that falls apart, and the energy there is not the surface's: it counts as
+/// infinite.
 class SurfaceObjective : public Objective {
  public:
-  /// `energy` and `unknowns` outlive the objective.
-  SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns) : energy_(energy), unknowns_(unknowns) {}
+  /// `energy` and `unknowns` outlive the objective. The start is always finite where its energy is.
+  SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, int euler_characteristic,
+                   const Points& start);
 
   void evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const override;
 
  private:
   const SurfaceEnergy& energy_;
   const Unknowns& unknowns_;
+  double total_curvature_, largest_defect_;
   mutable Points control_, gradient_;
 };
 

@@ -14,6 +14,7 @@ namespace umbilic {
 struct EnergySums {
   double second, third;  ///< weighted integrals of the densities of either order
   double area;
+  double gaussian;  ///< integral of the Gaussian curvature
   double smallest;  ///< least area element
 };
 

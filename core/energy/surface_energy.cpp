@@ -21,7 +21,7 @@ EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, bool gradien
   if (gradient && second_order_) channels.push_back({kSecondOrderCount});
   if (gradient && third_order_) channels.insert(channels.end(), {{kThirdOrderCount}, {kFirstOrderCount}});
 
-  EnergySums sums{0, 0, 0, std::numeric_limits<double>::infinity()};
+  EnergySums sums{0, 0, 0, 0, std::numeric_limits<double>::infinity()};
   const EnergyKernels& kernels = energy_kernels();
   const auto visit = [&](const JetBlock& block) {
     kernels.integrate(weights_.data(), second_order_, third_order_, block, sums);
@@ -32,6 +32,7 @@ EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, bool gradien
   value.second = sums.second;
   value.third = sums.third;
   value.area = sums.area;
+  value.gaussian = sums.gaussian;
   value.energy = value.second + value.area * value.third;
   value.regularity = sums.smallest * jets_.layout().face_count() / value.area;
   return value;

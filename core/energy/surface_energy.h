@@ -16,6 +16,7 @@ struct EnergyValue {
   double second = 0;  ///< weighted integral of the second-order densities
   double third = 0;   ///< weighted integral of the third-order densities, without the factor area
   double area = 0;
+  double gaussian = 0;  ///< integral of the Gaussian curvature
   /// Smallest |X_u x X_v| over its mean; a patch that collapses or folds sends it to 0.
   double regularity = 0;
 };

@@ -14,19 +14,22 @@ namespace {
 /// Running sums over the samples in each lane.
 template <class L>
 struct LaneSums {
-  L second{}, third{}, area{}, smallest;
+  L second{}, third{}, area{}, gaussian{}, smallest;
 
   explicit LaneSums(double least) : smallest(splat<L>(least)) {}
 
-  void add_area(const L& weight, const L& area_element) {
-    area += weight * area_element;
-    smallest = area_element < smallest ? area_element : smallest;
+  void add_shape(const L& weight, const Curvature<L>& k) {
+    const L measure = weight * k.area;
+    area += measure;
+    gaussian += measure * (k.p * k.r - k.q * k.q);
+    smallest = k.area < smallest ? k.area : smallest;
   }
 
   void add_to(EnergySums& sums) const {
     sums.second += sum_lanes(second);
     sums.third += sum_lanes(third);
     sums.area += sum_lanes(area);
+    sums.gaussian += sum_lanes(gaussian);
     sums.smallest = least_lane(smallest);
   }
 };
@@ -50,7 +53,7 @@ template <bool kSecond, bool kThird, class L>
   const Jet<L> jet = load_jet<kThird, L>(block.jets + at * derivatives + s, samples, derivatives);
   const CurvatureFrame<L, kThird> frame(jet);
   const Curvature<L>& k = frame.value();
-  sums.add_area(weight, k.area);
+  sums.add_shape(weight, k);
   if constexpr (kSecond) {
     Curvature<L> adjoint{};
     sums.second += integrand<false>(weights, k, weight, adjoint);
