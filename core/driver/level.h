@@ -51,6 +51,7 @@ class Level {
  private:
   void start();
   bool metric_is_stale() const;
+  bool metric_is_in_vain() const;
 
   LevelOptions options_;
   RefinedCage start_;

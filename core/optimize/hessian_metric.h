@@ -23,9 +23,8 @@ class HessianMetric : public SurfaceMetric {
   std::string_view name() const override { return "hessian"; }
   bool knows_hessian() const override { return true; }
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
-
-  /// Of the metric in use.
-  double mu() const { return mu_; }
+  /// mu.
+  double sobolev_share() const override { return mu_; }
 
  private:
   bool factor();

@@ -21,7 +21,7 @@ constexpr double kModelAlone = 1e-3;
 
 Lbfgs::Lbfgs(const Objective& objective, const Metric& metric, Eigen::VectorXd start, LbfgsOptions options)
     : objective_(objective),
-      metric_(metric),
+      metric_(&metric),
       options_(options),
       unknowns_(std::move(start)),
       best_(unknowns_),
@@ -73,10 +73,10 @@ Eigen::VectorXd Lbfgs::direction() const {
     alpha[i] = pairs_[i].rho * pairs_[i].s.dot(d);
     d -= alpha[i] * pairs_[i].y;
   }
-  d = metric_.solve(d);
+  d = metric_->solve(d);
   if (!pairs_.empty()) {
     const Pair& last = pairs_.back();
-    const double gamma = 1 / (last.rho * last.y.dot(metric_.solve(last.y)));
+    const double gamma = 1 / (last.rho * last.y.dot(metric_->solve(last.y)));
     if (std::isfinite(gamma) && gamma > 0) d *= gamma;
   }
   for (std::size_t i = 0; i < pairs_.size(); ++i) {

@@ -43,6 +43,8 @@ class Lbfgs {
 
   /// Whether the next `step` starts a new line search, so that the metric may change.
   bool between_iterations() const { return !search_; }
+  /// Takes effect with the next direction; the curvature pairs stay. `metric` outlives the optimizer.
+  void set_metric(const Metric& metric) { metric_ = &metric; }
   /// Drops the curvature pairs.
   void forget() { pairs_.clear(); }
 
@@ -67,7 +69,7 @@ class Lbfgs {
   Eigen::VectorXd direction() const;
 
   const Objective& objective_;
-  const Metric& metric_;
+  const Metric* metric_;
   LbfgsOptions options_;
 
   Eigen::VectorXd unknowns_, gradient_;
