@@ -20,6 +20,7 @@ struct EnergyValue {
   double regularity = 0;
 };
 
+/// Keeps its working memory between evaluations, so that only one thread evaluates at a time.
 class SurfaceEnergy {
  public:
   /// `jets` outlives the energy.
@@ -32,9 +33,12 @@ class SurfaceEnergy {
   bool third_order() const { return third_order_; }
 
  private:
+  EnergyValue evaluate_channels(const Points& control, bool gradient, std::vector<Points>& gradients) const;
+
   const JetEvaluator& jets_;
   Weights weights_;
   bool second_order_, third_order_;
+  mutable std::vector<Points> gradients_;  // of the second-order integral, the third-order one and the area
 };
 
 struct SurfaceIntegrals {
