@@ -42,7 +42,7 @@ void product_columns(const DenseTable& table, int rows, const double* points, in
 }
 
 /// Table columns at a time in the transposed product: with three points twelve sums, or half of 32 registers' worth.
-constexpr int kTall = 4;
+constexpr int kTall = kLaneCount == 8 ? 8 : 4;
 
 /// Entries (k, c) of the transposed product for kTall table columns and kWide consecutive points.
 template <int kColumns, int kWide>
