@@ -3,6 +3,7 @@
 /// Adds up blocks of jets, and their gradients by the product rule.
 #include "energy/surface_energy.h"
 
+#include <functional>
 #include <limits>
 
 #include "energy/energy_kernels.h"
@@ -17,16 +18,21 @@ SurfaceEnergy::SurfaceEnergy(const JetEvaluator& jets, const Weights& weights)
 
 EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, bool gradient,
                                              std::vector<Points>& gradients) const {
-  std::vector<AdjointChannel> channels;
-  if (gradient && second_order_) channels.push_back({kSecondOrderCount});
-  if (gradient && third_order_) channels.insert(channels.end(), {{kThirdOrderCount}, {kFirstOrderCount}});
+  AdjointChannel channels[3];
+  std::size_t count = 0;
+  if (gradient && second_order_) channels[count++] = {kSecondOrderCount};
+  if (gradient && third_order_) {
+    channels[count++] = {kThirdOrderCount};
+    channels[count++] = {kFirstOrderCount};
+  }
 
   EnergySums sums{0, 0, 0, 0, std::numeric_limits<double>::infinity()};
   const EnergyKernels& kernels = energy_kernels();
   const auto visit = [&](const JetBlock& block) {
     kernels.integrate(weights_.data(), second_order_, third_order_, block, sums);
   };
-  jets_.evaluate(control, third_order_ ? kThirdOrderCount : kSecondOrderCount, channels, visit, gradients);
+  jets_.evaluate(control, third_order_ ? kThirdOrderCount : kSecondOrderCount, {channels, count}, std::ref(visit),
+                 gradients);
 
   EnergyValue value;
   value.second = sums.second;
@@ -39,18 +45,18 @@ EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, bool gradien
 }
 
 EnergyValue SurfaceEnergy::evaluate(const Points& control, Points* gradient) const {
-  std::vector<Points> gradients;
-  const EnergyValue value = evaluate_channels(control, gradient != nullptr, gradients);
+  std::vector<Points> none;
+  const EnergyValue value = evaluate_channels(control, gradient != nullptr, gradient ? gradients_ : none);
   if (gradient) {
-    *gradient = gradients.front();
+    *gradient = gradients_.front();
     if (third_order_) {
       const std::size_t third = second_order_ ? 1 : 0;
       if (third == 1) {
-        *gradient += value.area * gradients[1];
+        *gradient += value.area * gradients_[1];
       } else {
         *gradient *= value.area;
       }
-      *gradient += value.third * gradients[third + 1];
+      *gradient += value.third * gradients_[third + 1];
     }
   }
   return value;

@@ -21,6 +21,7 @@ struct EnergyValue {
   double regularity = 0;
 };
 
+/// Keeps its working memory between evaluations, so that only one thread evaluates at a time.
 class SurfaceEnergy {
  public:
   /// `jets` outlives the energy.
@@ -43,6 +44,7 @@ class SurfaceEnergy {
   const JetEvaluator& jets_;
   Weights weights_;
   bool second_order_, third_order_;
+  mutable std::vector<Points> gradients_;  // of the second-order integral, the third-order one and the area
 };
 
 struct SurfaceIntegrals {

@@ -23,5 +23,6 @@ void pull_back_frame(const Cap& cap, const FlatFrame& frame, const Vector3& norm
 
 /// Of all caps of a layout; empty unless they are flat.
 std::vector<FlatFrame> flat_frames(const PatchLayout& layout, const Points& points);
+void flat_frames(const PatchLayout& layout, const Points& points, std::vector<FlatFrame>& frames);
 
 }  // namespace umbilic

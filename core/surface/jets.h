@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "surface/jet_block.h"
@@ -22,6 +23,10 @@ struct AdjointChannel {
 
 using JetVisitor = std::function<void(const JetBlock&)>;
 
+class JetGroup;
+class JetPass;
+
+/// Keeps its working memory between evaluations, so that only one thread evaluates at a time.
 class JetEvaluator {
  public:
   /// `layout` outlives the evaluator.
@@ -32,7 +37,7 @@ class JetEvaluator {
 
   /// Calls `visit` for blocks that cover each patch once, in a fixed order. `derivatives` is 5 or 9. For every channel,
   /// `gradients` receives the sum of adjoint times derivative of the jets by the control points, control_count x 3.
-  void evaluate(const Points& control, int derivatives, const std::vector<AdjointChannel>& channels,
+  void evaluate(const Points& control, int derivatives, std::span<const AdjointChannel> channels,
                 const JetVisitor& visit, std::vector<Points>& gradients) const;
 
   /// Samples with weight > 0 that one evaluation visits.
@@ -40,11 +45,10 @@ class JetEvaluator {
   /// Of all shared tables.
   std::size_t table_bytes() const;
 
-  struct Group;
-
  private:
   const PatchLayout& layout_;
-  std::vector<std::unique_ptr<Group>> groups_;
+  std::vector<std::unique_ptr<JetGroup>> groups_;
+  std::unique_ptr<JetPass> pass_;
 };
 
 }  // namespace umbilic

@@ -188,9 +188,8 @@ template <class Visit>
 void for_each_sector(const Cap& cap, const Visit& visit) {
   const Eigen::MatrixXd& fit = cap_sector(cap.valence, cap.shape).fit();
   const int size = static_cast<int>(fit.cols());
-  std::vector<int> rotated(size);
   for (int sector = 0; sector < cap.valence; ++sector) {
-    for (int i = 0; i < size; ++i) rotated[i] = cap.net[i == 0 ? 0 : 1 + (i - 1 + 12 * sector) % (size - 1)];
+    const auto rotated = [&](int i) { return cap.net[i == 0 ? 0 : 1 + (i - 1 + 12 * sector) % (size - 1)]; };
     visit(fit, rotated, cap.first_coefficient + sector * static_cast<int>(fit.rows()));
   }
 }
@@ -198,34 +197,38 @@ void for_each_sector(const Cap& cap, const Visit& visit) {
 }  // namespace
 
 Points PatchLayout::extend(const Points& control) const {
+  Points points;
+  extend(control, points);
+  return points;
+}
+
+void PatchLayout::extend(const Points& control, Points& points) const {
   assert(control.rows() == control_count_);
-  Points points(point_count_, 3);
+  points.resize(point_count_, 3);
   points.topRows(control_count_) = control;
   for (const Cap& cap : caps_) {
     if (coefficient_count(cap.shape) == 0) continue;
-    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const std::vector<int>& net, int first) {
+    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const auto& net, int first) {
       auto coefficients = points.middleRows(first, fit.rows());
       coefficients.setZero();
       for (int i = 0; i < fit.cols(); ++i) {
-        if (net[i] >= 0) coefficients.noalias() += fit.col(i) * control.row(net[i]);
+        if (net(i) >= 0) coefficients.noalias() += fit.col(i) * control.row(net(i));
       }
     });
   }
-  return points;
 }
 
 void PatchLayout::pull_back(Points& gradient) const {
   assert(gradient.rows() == point_count_);
   for (const Cap& cap : caps_) {
     if (coefficient_count(cap.shape) == 0) continue;
-    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const std::vector<int>& net, int first) {
+    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const auto& net, int first) {
       for (int i = 0; i < fit.cols(); ++i) {
-        if (net[i] >= 0)
-          gradient.row(net[i]).noalias() += fit.col(i).transpose() * gradient.middleRows(first, fit.rows());
+        if (net(i) >= 0)
+          gradient.row(net(i)).noalias() += fit.col(i).transpose() * gradient.middleRows(first, fit.rows());
       }
     });
   }
-  gradient.conservativeResize(control_count_, 3);
 }
 
 SparseMatrix PatchLayout::extension() const {
@@ -233,10 +236,10 @@ SparseMatrix PatchLayout::extension() const {
   for (int v = 0; v < control_count_; ++v) entries.emplace_back(v, v, 1);
   for (const Cap& cap : caps_) {
     if (coefficient_count(cap.shape) == 0) continue;
-    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const std::vector<int>& net, int first) {
+    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const auto& net, int first) {
       for (int i = 0; i < fit.cols(); ++i) {
         for (int k = 0; k < fit.rows(); ++k) {
-          if (net[i] >= 0) entries.emplace_back(first + k, net[i], fit(k, i));
+          if (net(i) >= 0) entries.emplace_back(first + k, net(i), fit(k, i));
         }
       }
     });

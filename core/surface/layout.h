@@ -51,8 +51,8 @@ class PatchLayout {
 
   /// The control points, followed by the caps' coefficients that they decide.
   Points extend(const Points& control) const;
-  /// Adds to the gradient with respect to the control points what the coefficients' part of `gradient` contributes, and
-  /// cuts it off.
+  void extend(const Points& control, Points& points) const;
+  /// Adds to the control points' part of a gradient by the layout's points what the coefficients' part contributes.
   void pull_back(Points& gradient) const;
   /// point_count x control_count: `extend` as a matrix.
   SparseMatrix extension() const;

@@ -20,6 +20,7 @@ constexpr int kPerSector = RingNet::kRings * (RingNet::kRings + 1);
 RingNet::RingNet(int valence) : valence_(valence), step_(12 * valence + 1, 12 * valence + 1) {
   assert(valence >= 3);
   build_step();
+  build_limit_tangents();
 }
 
 int RingNet::index(int sector, int a, int b) const {
@@ -96,17 +97,16 @@ Eigen::RowVectorXd RingNet::limit_position() const {
   return weights;
 }
 
-Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor> RingNet::limit_tangents() const {
+void RingNet::build_limit_tangents() {
   const double angle = 2 * std::numbers::pi / valence_;
   const double edge = 1 + std::cos(angle) + std::cos(angle / 2) * std::sqrt(2 * (9 + std::cos(angle)));
-  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor> weights(2, size());
-  weights.setZero();
+  auto& weights = limit_tangents_;
+  weights.setZero(2, size());
   for (int j = 0; j < valence_; ++j) {
     weights.col(index(j, 1, 0)) << edge * std::cos(j * angle), edge * std::sin(j * angle);
     weights.col(index(j, 1, 1)) << std::cos(j * angle) + std::cos((j + 1) * angle),
         std::sin(j * angle) + std::sin((j + 1) * angle);
   }
-  return weights;
 }
 
 double RingNet::subdominant_eigenvalue() const {

@@ -39,7 +39,7 @@ class RingNet {
   Eigen::RowVectorXd limit_position() const;
   /// Weights of two limit tangents whose cross product points outward; 2 x size. The left eigenvectors of the
   /// subdominant eigenvalue.
-  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor> limit_tangents() const;
+  const Eigen::Matrix<double, 2, Eigen::Dynamic>& limit_tangents() const { return limit_tangents_; }
 
   /// The subdominant eigenvalue of the step.
   double subdominant_eigenvalue() const;
@@ -49,10 +49,12 @@ class RingNet {
 
  private:
   void build_step();
+  void build_limit_tangents();
   DerivativeRows regular_basis(double u, double v) const;
 
   int valence_;
   Eigen::SparseMatrix<double, Eigen::RowMajor> step_;
+  Eigen::Matrix<double, 2, Eigen::Dynamic> limit_tangents_;
 };
 
 }  // namespace umbilic

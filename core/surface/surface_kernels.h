@@ -14,14 +14,19 @@ struct RegularGrid {
   double* partial;        ///< scratch memory, [c][k][b][i]
 };
 
+/// Basis derivatives at samples, column by column.
+struct DenseTable {
+  const double* entries;
+  int stride;   ///< from a column to the next
+  int columns;  ///< local points
+};
+
 /// The contracts stand beside the declarations in kernels/.
 struct SurfaceKernels {
   void (*regular_jets)(const RegularGrid& grid, const double* points, int derivatives, double* jets);
   void (*pull_back_regular_jets)(const RegularGrid& grid, const double* adjoint, int derivatives, double* gradient);
-  void (*dense_product)(const double* table, int stride, int rows, int columns, const double* points, int patches,
-                        double* out);
-  void (*dense_transposed_product)(const double* table, int stride, int rows, int columns, const double* adjoint,
-                                   int patches, double* out);
+  void (*dense_product)(const DenseTable& table, int rows, const double* points, int width, double* out);
+  void (*dense_transposed_product)(const DenseTable& table, int rows, const double* adjoint, int width, double* out);
 };
 
 /// For the instruction set in use.

@@ -8,9 +8,10 @@ import { build } from './build.js';
 import { evolverInstalled, evolverMissing, evolverTable, runEvolver } from './evolver.js';
 import { installPackages, installTools } from './install.js';
 
-/** @typedef {{functional: string, cap: string, patches: number, samples: number, samplesPerSecond: number, tableBytes: number}} Throughput */
+/** @typedef {{instructionSet: string, flopsPerSecond: number}} Peak */
+/** @typedef {{instructionSet: string, functional: string, cap: string, patches: number, samples: number, samplesPerSecond: number, flopsPerSample: number, tableBytes: number}} Throughput */
 /** @typedef {{phase: string, seconds: number}} PhaseSeconds */
-/** @typedef {{instructionSet: string, throughput: Throughput[], phases: PhaseSeconds[]}} Speed */
+/** @typedef {{peaks: Peak[], throughput: Throughput[], phases: PhaseSeconds[]}} Speed */
 /** @typedef {{functional: string, cap: string, regular: number, capped: number, grading: number, samples: number, error: number}} RuleError */
 
 /** Rounds of both programs in turn; the best of each counts, because other work on the machine only slows them. */
@@ -38,7 +39,10 @@ const webAssembly = () => read(process.execPath, 'build/wasm/umbilic_bench.cjs')
 /** The best of every figure. @param {Speed[]} runs @returns {Speed} */
 function best(runs) {
   return {
-    instructionSet: runs[0].instructionSet,
+    peaks: runs[0].peaks.map((row, i) => ({
+      ...row,
+      flopsPerSecond: Math.max(...runs.map((run) => run.peaks[i].flopsPerSecond)),
+    })),
     throughput: runs[0].throughput.map((row, i) => ({
       ...row,
       samplesPerSecond: Math.max(...runs.map((run) => run.throughput[i].samplesPerSecond)),
@@ -50,23 +54,50 @@ function best(runs) {
   };
 }
 
+/** @param {Speed} speed @param {Peak} peak @returns {Throughput[]} what was measured with the peak's instruction set */
+function throughputOf(speed, { instructionSet }) {
+  return speed.throughput.filter((row) => row.instructionSet === instructionSet);
+}
+
+/** @param {number} fraction */
+const percent = (fraction) => `${(100 * fraction).toFixed(0)} %`;
+
 function printSpeed() {
   const runs = Array.from({ length: rounds }, () => ({ native: native(), wasm: webAssembly() }));
   const [n, w] = [best(runs.map((run) => run.native)), best(runs.map((run) => run.wasm))];
   const { patches } = n.throughput[0];
-  console.log(`Energy and gradient, genus-2 flag frame, level 3, ${patches} patches, one core, ${n.instructionSet}:`);
+  const columns = [
+    ...n.peaks.map((peak) => ({ name: peak.instructionSet, peak, rows: throughputOf(n, peak) })),
+    ...w.peaks.map((peak) => ({ name: 'WebAssembly', peak, rows: throughputOf(w, peak) })),
+  ];
+  const [portable] = columns;
+  console.log(`Energy and gradient, genus-2 flag frame, level 3, ${patches} patches, one core:`);
   console.log('million samples/s, all samples evaluated, capped patches included\n');
   printTable(
-    ['functional', 'cap', 'samples', 'native', 'WebAssembly', 'ratio', 'tables MB'],
-    n.throughput.map((row, i) => [
+    ['functional', 'cap', 'samples', ...columns.map(({ name }) => name), 'WebAssembly/portable', 'tables MB'],
+    portable.rows.map((row, i) => [
       row.functional,
       row.cap,
       row.samples,
-      (row.samplesPerSecond / 1e6).toFixed(2),
-      (w.throughput[i].samplesPerSecond / 1e6).toFixed(2),
-      (w.throughput[i].samplesPerSecond / row.samplesPerSecond).toFixed(2),
+      ...columns.map(({ rows }) => (rows[i].samplesPerSecond / 1e6).toFixed(2)),
+      (columns[columns.length - 1].rows[i].samplesPerSecond / row.samplesPerSecond).toFixed(2),
       (row.tableBytes / 1e6).toFixed(2),
     ]),
+  );
+  console.log('\nThe same as a fraction of the measured peak of independent multiply-adds in registers\n');
+  printTable(
+    ['functional', 'cap', 'flops per sample', ...columns.map(({ name }) => name)],
+    [
+      ...portable.rows.map((row, i) => [
+        row.functional,
+        row.cap,
+        Math.round(row.flopsPerSample),
+        ...columns.map(({ peak, rows }) =>
+          percent((rows[i].samplesPerSecond * row.flopsPerSample) / peak.flopsPerSecond),
+        ),
+      ]),
+      ['peak, Gflop/s', '', '', ...columns.map(({ peak }) => (peak.flopsPerSecond / 1e9).toFixed(1))],
+    ],
   );
   console.log('\nSeconds per phase, MVS_cross, the same level\n');
   printTable(

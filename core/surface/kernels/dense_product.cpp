@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Register tiles: two lane vectors of rows by one or two patches, and three table columns by one patch.
+/// Register tiles: a few lane vectors of rows by up to six points, and a few table columns by up to three points.
 #include "surface/kernels/dense_product.h"
 
 #include <cstddef>
@@ -10,100 +10,92 @@
 namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
 namespace {
 
-/// Rows [row, row + kVectors lanes) of kWide consecutive columns of the product.
+using Offset = std::ptrdiff_t;
+
+/// Rows [row, row + kVectors lanes) of kWide consecutive columns of the product, which starts at `out`.
 template <class L, int kVectors, int kWide>
-void product_tile(const double* table, int stride, int columns, const double* points, int width, double* out,
-                  int rows) {
+void product_tile(const DenseTable& table, int row, const double* points, int width, double* out, int rows) {
   L sums[kVectors][kWide] = {};
-  for (int k = 0; k < columns; ++k, table += stride, points += width) {
+  const double* entries = table.entries + row;
+  for (int k = 0; k < table.columns; ++k, entries += table.stride, points += width) {
     L entry[kVectors];
-    for (int v = 0; v < kVectors; ++v) entry[v] = load_lanes<L>(table + v * kCount<L>);
+    for (int v = 0; v < kVectors; ++v) entry[v] = load_lanes<L>(entries + v * kCount<L>);
     for (int c = 0; c < kWide; ++c) {
       const L point = splat<L>(points[c]);
       for (int v = 0; v < kVectors; ++v) sums[v][c] += entry[v] * point;
     }
   }
   for (int c = 0; c < kWide; ++c) {
-    for (int v = 0; v < kVectors; ++v)
-      store_lanes(out + static_cast<std::ptrdiff_t>(c) * rows + v * kCount<L>, sums[v][c]);
+    for (int v = 0; v < kVectors; ++v) store_lanes(out + Offset(c) * rows + row + v * kCount<L>, sums[v][c]);
+  }
+}
+
+template <int kVectors, int kWide>
+void product_columns(const DenseTable& table, int rows, const double* points, int width, double* out) {
+  int row = 0;
+  for (; row + kVectors * kLaneCount <= rows; row += kVectors * kLaneCount) {
+    product_tile<Lanes, kVectors, kWide>(table, row, points, width, out, rows);
+  }
+  for (; row < rows; row += kShortLaneCount) {
+    product_tile<ShortLanes, 1, kWide>(table, row, points, width, out, rows);
+  }
+}
+
+/// Table columns at a time in the transposed product: with three points twelve sums, or half of 32 registers' worth.
+constexpr int kTall = kLaneCount == 8 ? 8 : 4;
+
+/// Entries (k, c) of the transposed product for kTall table columns and kWide consecutive points.
+template <int kColumns, int kWide>
+void transposed_tile(const DenseTable& table, int k, int rows, const double* adjoint, int width, double* out) {
+  static_assert(kColumns == 1 || kColumns % 4 == 0);
+  ShortLanes sums[kColumns][kWide] = {};
+  const double* entries = table.entries + Offset(k) * table.stride;
+  for (int row = 0; row < rows; row += kShortLaneCount) {
+    ShortLanes value[kWide];
+    for (int c = 0; c < kWide; ++c) value[c] = load_lanes<ShortLanes>(adjoint + Offset(c) * rows + row);
+    for (int i = 0; i < kColumns; ++i) {
+      const ShortLanes entry = load_lanes<ShortLanes>(entries + Offset(i) * table.stride + row);
+      for (int c = 0; c < kWide; ++c) sums[i][c] += entry * value[c];
+    }
+  }
+  out += Offset(k) * width;
+  for (int c = 0; c < kWide; ++c) {
+    if constexpr (kColumns == 1) {
+      out[c] = sum_lanes(sums[0][c]);
+    } else {
+      for (int i = 0; i < kColumns; i += 4) {
+        double totals[4];
+        sum_lanes_of_four({sums[i][c], sums[i + 1][c], sums[i + 2][c], sums[i + 3][c]}, totals);
+        for (int j = 0; j < 4; ++j) out[Offset(i + j) * width + c] = totals[j];
+      }
+    }
   }
 }
 
 template <int kWide>
-void product_columns(const double* table, int stride, int rows, int columns, const double* points, int width,
-                     double* out) {
-  int row = 0;
-  for (; row + 2 * kLaneCount <= rows; row += 2 * kLaneCount) {
-    product_tile<Lanes, 2, kWide>(table + row, stride, columns, points, width, out + row, rows);
+void transposed_columns(const DenseTable& table, int rows, const double* adjoint, int width, double* out) {
+  int k = 0;
+  for (; k + kTall <= table.columns; k += kTall) {
+    transposed_tile<kTall, kWide>(table, k, rows, adjoint, width, out);
   }
-  for (; row < rows; row += kShortLaneCount) {
-    product_tile<ShortLanes, 1, kWide>(table + row, stride, columns, points, width, out + row, rows);
-  }
-}
-
-/// Adds rows [row, last) to entries (k, c) of the transposed product for kTall table columns and the three coordinates
-/// of a patch, in lanes; returns the first row that is left.
-template <int kTall, class L>
-int transposed_rows(const double* table, int stride, int rows, int row, const double* adjoint, L (&sums)[kTall][3]) {
-  for (; row + kCount<L> <= rows; row += kCount<L>) {
-    L value[3];
-    for (int c = 0; c < 3; ++c) value[c] = load_lanes<L>(adjoint + static_cast<std::ptrdiff_t>(c) * rows + row);
-    for (int k = 0; k < kTall; ++k) {
-      const L entry = load_lanes<L>(table + static_cast<std::ptrdiff_t>(k) * stride + row);
-      for (int c = 0; c < 3; ++c) sums[k][c] += entry * value[c];
-    }
-  }
-  return row;
-}
-
-template <int kTall>
-void transposed_tile(const double* table, int stride, int rows, const double* adjoint, int width, double* out) {
-  Lanes sums[kTall][3] = {};
-  ShortLanes rest[kTall][3] = {};
-  const int row = transposed_rows<kTall, Lanes>(table, stride, rows, 0, adjoint, sums);
-  if constexpr (kShortLaneCount < kLaneCount) {
-    transposed_rows<kTall, ShortLanes>(table, stride, rows, row, adjoint, rest);
-  }
-  for (int c = 0; c < 3; ++c) {
-    ShortLanes folded[4] = {};
-    for (int k = 0; k < kTall; ++k) folded[k] = fold(sums[k][c]) + rest[k][c];
-    double totals[4];
-    sum_lanes_of_four(folded, totals);
-    for (int k = 0; k < kTall; ++k) out[static_cast<std::ptrdiff_t>(k) * width + c] = totals[k];
-  }
+  for (; k < table.columns; ++k) transposed_tile<1, kWide>(table, k, rows, adjoint, width, out);
 }
 
 }  // namespace
 
-void dense_product(const double* table, int stride, int rows, int columns, const double* points, int patches,
-                   double* out) {
-  const int width = 3 * patches;
-  int column = 0;
-  for (; column + 6 <= width; column += 6) {
-    product_columns<6>(table, stride, rows, columns, points + column, width,
-                       out + static_cast<std::ptrdiff_t>(column) * rows);
-  }
-  if (column < width) {
-    product_columns<3>(table, stride, rows, columns, points + column, width,
-                       out + static_cast<std::ptrdiff_t>(column) * rows);
-  }
+void dense_product(const DenseTable& table, int rows, const double* points, int width, double* out) {
+  int c = 0;
+  for (; c + 6 <= width; c += 6) product_columns<2, 6>(table, rows, points + c, width, out + Offset(c) * rows);
+  for (; c + 3 <= width; c += 3) product_columns<2, 3>(table, rows, points + c, width, out + Offset(c) * rows);
+  for (; c + 2 <= width; c += 2) product_columns<4, 2>(table, rows, points + c, width, out + Offset(c) * rows);
+  if (c < width) product_columns<4, 1>(table, rows, points + c, width, out + Offset(c) * rows);
 }
 
-void dense_transposed_product(const double* table, int stride, int rows, int columns, const double* adjoint,
-                              int patches, double* out) {
-  const int width = 3 * patches;
-  for (int patch = 0; patch < patches; ++patch) {
-    const double* values = adjoint + static_cast<std::ptrdiff_t>(3 * patch) * rows;
-    int k = 0;
-    for (; k + 4 <= columns; k += 4) {
-      transposed_tile<4>(table + static_cast<std::ptrdiff_t>(k) * stride, stride, rows, values, width,
-                         out + static_cast<std::ptrdiff_t>(k) * width + 3 * patch);
-    }
-    for (; k < columns; ++k) {
-      transposed_tile<1>(table + static_cast<std::ptrdiff_t>(k) * stride, stride, rows, values, width,
-                         out + static_cast<std::ptrdiff_t>(k) * width + 3 * patch);
-    }
-  }
+void dense_transposed_product(const DenseTable& table, int rows, const double* adjoint, int width, double* out) {
+  int c = 0;
+  for (; c + 3 <= width; c += 3) transposed_columns<3>(table, rows, adjoint + Offset(c) * rows, width, out + c);
+  for (; c + 2 <= width; c += 2) transposed_columns<2>(table, rows, adjoint + Offset(c) * rows, width, out + c);
+  if (c < width) transposed_columns<1>(table, rows, adjoint + Offset(c) * rows, width, out + c);
 }
 
 }  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
