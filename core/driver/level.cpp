@@ -117,7 +117,13 @@ bool Level::metric_is_in_vain() const {
 }
 
 bool Level::step() {
-  if (cancelled_ || (lbfgs_ && lbfgs_->ended())) return true;
+  if (cancelled_) return true;
+  if (lbfgs_ && lbfgs_->ended() && !building_) {
+    if (!metric_ || metric_->settled() || lbfgs_->stop() != StopReason::kConverged) return true;
+    metric_->begin(best());
+    building_ = true;
+    lbfgs_->resume();
+  }
   if (lbfgs_ && !building_ && metric_is_stale()) {
     if (options_.metric == MetricChoice::kAutomatic && metric_is_in_vain()) {
       metric_ = make_metric(MetricChoice::kSobolev, surface_, unknowns_, options_);
@@ -139,7 +145,7 @@ bool Level::step() {
     start();
     return false;
   }
-  return lbfgs_->step();
+  return lbfgs_->step() && (!metric_ || metric_->settled() || lbfgs_->stop() != StopReason::kConverged);
 }
 
 void Level::cancel() {
