@@ -200,6 +200,9 @@ describe('a run', () => {
       evaluations: 5,
       seconds: 1,
       stop: /** @type {const} */ ('converged'),
+      metric: /** @type {const} */ ('hessian'),
+      metrics: 1,
+      evaluable: true,
     };
     const state = after(
       running(),
