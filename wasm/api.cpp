@@ -34,11 +34,11 @@ struct umbilic_certificate {
 };
 
 struct umbilic_mesh {
-  Cage cage;        // polygons with full digits
-  LimitMesh limit;  // for OBJ text; empty for a control mesh
+  Cage cage;        // polygons with full digits; empty for a limit mesh
+  LimitMesh limit;  // the same; empty for a control mesh
   std::vector<float> positions, normals, curvatures;
   std::vector<uint32_t> triangles, edges;
-  int32_t corners = 0;
+  int32_t faces = 0, corners = 0;
   std::string obj;
 };
 
@@ -94,19 +94,26 @@ umbilic_mesh* make_mesh(Cage cage) {
       for (const int corner : {face[0], face[i - 1], face[i]}) mesh->triangles.push_back(corner);
     }
   }
+  mesh->faces = int32_t(cage.faces.size());
   mesh->corners = connectivity.halfedge_count();
   mesh->cage = std::move(cage);
   return mesh.release();
 }
 
+/// Two triangles for each quad; their edges are nobody's concern.
 umbilic_mesh* make_limit_mesh(LimitMesh limit) {
-  Cage cage{limit.positions, {}};
-  for (const auto& quad : limit.quads) cage.faces.emplace_back(quad.begin(), quad.end());
-  umbilic_mesh* mesh = make_mesh(std::move(cage));
+  auto mesh = std::make_unique<umbilic_mesh>();
+  mesh->positions = to_floats(limit.positions);
   mesh->normals = to_floats(limit.normals);
   mesh->curvatures = to_floats(limit.curvatures);
+  mesh->triangles.reserve(6 * limit.quads.size());
+  for (const auto& [a, b, c, d] : limit.quads) {
+    for (const int corner : {a, b, c, a, c, d}) mesh->triangles.push_back(corner);
+  }
+  mesh->faces = int32_t(limit.quads.size());
+  mesh->corners = 4 * mesh->faces;
   mesh->limit = std::move(limit);
-  return mesh;
+  return mesh.release();
 }
 
 template <class Names, class Name>
@@ -278,7 +285,7 @@ umbilic_status umbilic_minimizer_limit_mesh(const umbilic_minimizer* minimizer, 
 void umbilic_mesh_destroy(umbilic_mesh* mesh) { delete mesh; }
 
 void umbilic_mesh_counts(const umbilic_mesh* mesh, int32_t counts[5]) {
-  const int32_t values[5] = {int32_t(mesh->positions.size() / 3), int32_t(mesh->cage.faces.size()), mesh->corners,
+  const int32_t values[5] = {int32_t(mesh->positions.size() / 3), mesh->faces, mesh->corners,
                              int32_t(mesh->edges.size() / 2), int32_t(mesh->triangles.size() / 3)};
   std::copy_n(values, 5, counts);
 }

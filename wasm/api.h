@@ -132,7 +132,7 @@ void umbilic_certificate_report(const umbilic_certificate* certificate, double r
 umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out);
 /** The control mesh; curvatures and normals are empty. */
 umbilic_status umbilic_minimizer_control_mesh(const umbilic_minimizer* minimizer, umbilic_mesh** out);
-/** The limit surface, `density` >= 1 quads along each edge of a patch. */
+/** The limit surface, `density` >= 1 quads along each edge of a patch; edges are empty. */
 umbilic_status umbilic_minimizer_limit_mesh(const umbilic_minimizer* minimizer, int32_t density, umbilic_mesh** out);
 
 void umbilic_mesh_destroy(umbilic_mesh* mesh);
@@ -143,7 +143,7 @@ const float* umbilic_mesh_positions(const umbilic_mesh* mesh);    /* 3 per verte
 const float* umbilic_mesh_normals(const umbilic_mesh* mesh);      /* 3 per vertex, or null */
 const float* umbilic_mesh_curvatures(const umbilic_mesh* mesh);   /* kappa1 >= kappa2 per vertex, or null */
 const uint32_t* umbilic_mesh_triangles(const umbilic_mesh* mesh); /* 3 per triangle */
-const uint32_t* umbilic_mesh_edges(const umbilic_mesh* mesh);     /* 2 per edge, each edge once */
+const uint32_t* umbilic_mesh_edges(const umbilic_mesh* mesh);     /* 2 per edge, each edge once; or null */
 /** OBJ text with full digits; `length` receives its bytes. */
 const char* umbilic_mesh_obj(umbilic_mesh* mesh, size_t* length);
 

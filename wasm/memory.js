@@ -165,7 +165,8 @@ export function copyMesh(handle) {
   const floats = (pointer, count) =>
     pointer ? core().HEAPF32.slice(pointer >>> 2, (pointer >>> 2) + count) : new Float32Array(0);
   /** @param {number} pointer @param {number} count */
-  const indices = (pointer, count) => core().HEAPU32.slice(pointer >>> 2, (pointer >>> 2) + count);
+  const indices = (pointer, count) =>
+    pointer ? core().HEAPU32.slice(pointer >>> 2, (pointer >>> 2) + count) : new Uint32Array(0);
   return {
     positions: floats(core()._umbilic_mesh_positions(handle), 3 * vertices),
     normals: floats(core()._umbilic_mesh_normals(handle), 3 * vertices),

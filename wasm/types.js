@@ -87,7 +87,7 @@
 
 /**
  * A mesh copied out of the core, fit to be transferred. `normals` and `curvatures` (κ1 ≥ κ2 per vertex, positive
- * where a sphere's are) are empty for control meshes.
+ * where a sphere's are) are empty for control meshes, `edges` for limit meshes.
  * @typedef {object} Mesh
  * @property {Float32Array} positions 3 per vertex
  * @property {Float32Array} normals 3 per vertex
