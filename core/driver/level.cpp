@@ -117,20 +117,13 @@ bool Level::metric_is_in_vain() const {
 }
 
 bool Level::step() {
-  if (cancelled_) return true;
-  if (lbfgs_ && lbfgs_->ended() && !building_) {
-    if (!metric_ || metric_->settled() || lbfgs_->stop() != StopReason::kConverged) return true;
-    metric_->begin(best());
-    building_ = true;
-    lbfgs_->resume();
-  }
+  if (cancelled_ || (lbfgs_ && lbfgs_->ended())) return true;
   if (lbfgs_ && !building_ && metric_is_stale()) {
     if (options_.metric == MetricChoice::kAutomatic && metric_is_in_vain()) {
       metric_ = make_metric(MetricChoice::kSobolev, surface_, unknowns_, options_);
       lbfgs_->set_metric(*metric_);
     }
-    metric_->begin(best());
-    building_ = true;
+    rebuild_metric();
   }
   if (building_) {
     if (!metric_->advance()) return false;
@@ -145,7 +138,16 @@ bool Level::step() {
     start();
     return false;
   }
-  return lbfgs_->step() && (!metric_ || metric_->settled() || lbfgs_->stop() != StopReason::kConverged);
+  if (!lbfgs_->step()) return false;
+  if (!metric_ || metric_->settled() || lbfgs_->stop() != StopReason::kConverged) return true;
+  lbfgs_->resume();
+  rebuild_metric();
+  return false;
+}
+
+void Level::rebuild_metric() {
+  metric_->begin(best());
+  building_ = true;
 }
 
 void Level::cancel() {
