@@ -32,6 +32,19 @@ TEST(Extrapolate, keeps_the_true_limit_of_a_power_law_inside_its_error) {
   }
 }
 
+TEST(Extrapolate, has_an_error_that_reaches_the_limit_of_every_order_from_1_on) {
+  // From E3 without any further decrease to E3 - d2, where each level halves the decrease.
+  for (const bool third_order : {false, true}) {
+    for (const double order : {1.6, 2.0, 4.0, 6.0}) {
+      const auto levels = sequence(100, 1, order);
+      const double last = levels[2].energy, decrease = levels[1].energy - last;
+      const LimitReport limit = extrapolate(levels, third_order);
+      EXPECT_LE(limit.energy - limit.error, last - decrease);
+      EXPECT_GE(limit.energy + limit.error, last);
+    }
+  }
+}
+
 TEST(Extrapolate, is_exact_for_the_elements_own_order) {
   EXPECT_NEAR(extrapolate(sequence(100, 1, 2), true).energy, 100, 1e-12);
   EXPECT_NEAR(extrapolate(sequence(100, 1, 4), false).energy, 100, 1e-12);
