@@ -8,3 +8,6 @@
 #ifndef UMBILIC_INSTRUCTION_SET
 #define UMBILIC_INSTRUCTION_SET portable
 #endif
+
+/// To be opened as umbilic::UMBILIC_KERNELS; inline, so that its members are found in umbilic.
+#define UMBILIC_KERNELS inline UMBILIC_INSTRUCTION_SET

@@ -16,7 +16,7 @@ inline constexpr int kSampleMultiple = 4;
 
 }  // namespace umbilic
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 #if defined(__AVX512F__)
 inline constexpr int kLaneCount = 8;
@@ -110,4 +110,4 @@ double least_lane(L x) {
   return least;
 }
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

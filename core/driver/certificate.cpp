@@ -62,7 +62,7 @@ struct Certificate::State {
       : cage(std::move(start)),
         surface(cage, cap, weights),
         unknowns(Coordinates(cage.mesh.vertex_count())),
-        assembly(surface.layout(), unknowns, weights, minimizing_rule(cap)) {
+        assembly(surface.layout(), unknowns, weights, minimizing_rule(cap, weights)) {
     assembly.begin(cage.control);
     report.level = cage.level;
     report.unknowns = unknowns.count();

@@ -52,7 +52,8 @@ std::unique_ptr<SurfaceMetric> make_metric(MetricChoice choice, const Surface& s
     case MetricChoice::kIdentity: return nullptr;
     case MetricChoice::kSobolev: return std::make_unique<SobolevMetric>(surface.energy(), unknowns);
     case MetricChoice::kHessian:
-      return std::make_unique<HessianMetric>(surface.layout(), unknowns, options.weights, hessian_rule(options.cap));
+      return std::make_unique<HessianMetric>(surface.layout(), unknowns, options.weights,
+                                             hessian_rule(options.cap, options.weights));
     case MetricChoice::kAutomatic: break;
   }
   return make_metric(choose(options.weights, unknowns.count()), surface, unknowns, options);

@@ -3,19 +3,22 @@
 /// The quadrature rules that runs minimize with and report with.
 #pragma once
 
+#include "energy/functional.h"
 #include "surface/cap_kind.h"
 #include "surface/quadrature.h"
 
 namespace umbilic {
 
 /// The cheapest rules whose errors stay below what a level can gain, from the table that `npm run bench -- quadrature`
-/// prints: on a minimizer of MVS_cross, which exploits errors, 4 points per direction do on regular faces, while a
-/// cap's blend needs 6, the paper's steep one 16; grading matters where the surface itself is singular (`none`).
-constexpr QuadratureRule minimizing_rule(CapKind cap) {
+/// prints, on minimizers, which exploit errors: on regular faces 4 points per direction for functionals of third order
+/// and 6 for those of second, whose minimizers stretch patches farther; 6 for the blend of `smooth` caps and 16 for the
+/// steep one of `flat` caps; grading where the surface itself is singular (`none`).
+constexpr QuadratureRule minimizing_rule(CapKind cap, const Weights& weights) {
+  const int regular = third_order(weights) ? 4 : 6;
   switch (cap) {
-    case CapKind::kNone: return {4, 5, 4};
-    case CapKind::kFlat: return {4, 16, 1};
-    case CapKind::kSmooth: return {4, 6, 2};
+    case CapKind::kNone: return {regular, 5, 4};
+    case CapKind::kFlat: return {regular, 16, 1};
+    case CapKind::kSmooth: return {regular, 6, 2};
   }
   return {};
 }
@@ -23,8 +26,8 @@ constexpr QuadratureRule minimizing_rule(CapKind cap) {
 /// For the second derivatives of the optimizer's metric: the rule of the energy itself, because a coarser one makes
 /// many directions along the parametrization look negative. The metric holds the normals of `flat` caps fixed, and
 /// needs no more accuracy than that.
-constexpr QuadratureRule hessian_rule(CapKind cap) {
-  return cap == CapKind::kFlat ? QuadratureRule{4, 8, 1} : minimizing_rule(cap);
+constexpr QuadratureRule hessian_rule(CapKind cap, const Weights& weights) {
+  return cap == CapKind::kFlat ? QuadratureRule{4, 8, 1} : minimizing_rule(cap, weights);
 }
 
 /// Finer than what was minimized with, so that the difference shows the error.

@@ -65,7 +65,7 @@ Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights)
     : cage_(std::move(cage)),
       weights_(weights),
       layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry)),
-      jets_(layout_, minimizing_rule(cap)),
+      jets_(layout_, minimizing_rule(cap, weights)),
       energy_(jets_, weights) {}
 
 const PatchLayout& Surface::whole_layout() const {

@@ -19,7 +19,7 @@
 #include "base/lanes.h"
 #include "energy/vector3.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 template <class T>
 struct Jet {
@@ -207,4 +207,4 @@ Jet<T> CurvatureFrame<T, kThird>::pull_back(const Curvature<T>& adjoint) const {
   return jet;
 }
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

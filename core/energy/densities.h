@@ -10,7 +10,7 @@
 #include "energy/curvature.h"
 #include "energy/functional_list.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 /// Relative to the norm of II. Changes a density by the order of (eta |II| / (kappa1 - kappa2))^2.
 inline constexpr double kUmbilicEta = 1e-6;
@@ -151,4 +151,4 @@ T weighted_density(const double* weights, const Curvature<T>& k, const T& scale,
   return sum;
 }
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

@@ -7,7 +7,7 @@
 #include "energy/curvature.h"
 #include "surface/derivative_order.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 /// The three coordinates of one derivative at consecutive samples.
 template <class L = Lanes>
@@ -41,4 +41,4 @@ void store_jet(double* x, int samples, const Jet<L>& jet) {
   }
 }
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

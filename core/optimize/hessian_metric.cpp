@@ -31,7 +31,8 @@ bool HessianMetric::advance() {
   if (!assembled_) {
     assembled_ = assembly_.advance();
   } else if (!ready_) {
-    ready_ = factor() || mu_ >= kLargestMu;
+    definite_ = factor();
+    ready_ = definite_ || mu_ >= kLargestMu;
     if (!ready_) {
       mu_ *= kFactor;
       settled_ = true;
@@ -56,7 +57,7 @@ bool HessianMetric::factor() {
 }
 
 Eigen::VectorXd HessianMetric::solve(const Eigen::VectorXd& gradient) const {
-  if (factor_.info() != Eigen::Success) return gradient;  // a surface too irregular for any metric: the identity
+  if (!definite_) return gradient;  // a surface too irregular for any metric: the identity
   Eigen::VectorXd result = factor_.solve(gradient);
   if (assembly_.factors().cols() > 0) result -= solved_ * (core_ * (solved_.transpose() * gradient));
   return result;

@@ -33,7 +33,7 @@ class HessianMetric : public SurfaceMetric {
 
   HessianAssembly assembly_;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
-  bool assembled_ = false, ready_ = false, analyzed_ = false, settled_ = false;
+  bool assembled_ = false, ready_ = false, analyzed_ = false, settled_ = false, definite_ = false;
   double mu_;
   Eigen::MatrixXd solved_;  ///< metric without the rank-two term, applied inversely to (u, v)
   Eigen::Matrix2d core_;    ///< of Woodbury's formula

@@ -37,8 +37,11 @@ double sample_flops(const Weights& weights, bool second) {
   jet.second[1] = {0, 0.3, 0.2};
   Counted::operations = 0;
   const CurvatureFrame<Counted, kThird> frame(jet);
-  Counted area;
-  area += Counted(1) * frame.value().area;
+  const Curvature<Counted>& k = frame.value();
+  Counted area, gaussian;
+  const Counted measure = Counted(1) * k.area;
+  area += measure;
+  gaussian += measure * (k.p * k.r - k.q * k.q);
   if (second) density_and_pull_back<false>(frame, weights, 1);
   if constexpr (kThird) {
     density_and_pull_back<true>(frame, weights, 1);

@@ -42,7 +42,7 @@ std::string throughput() {
       const Points control = cage.control;
       const Surface surface(std::move(cage), cap, only(f));
       const long samples = surface.jets().sample_count();
-      const double flops = evaluation_flops(surface.layout(), minimizing_rule(cap), only(f));
+      const double flops = evaluation_flops(surface.layout(), minimizing_rule(cap, only(f)), only(f));
       for_each_instruction_set([&](std::string_view name) {
         Points gradient;
         const double seconds = best_seconds([&] { surface.energy().evaluate(control, &gradient); }, 0.25);

@@ -5,7 +5,7 @@
 
 #include "base/lanes.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 /// A value with its derivatives along kTangents directions.
 template <class T, int kTangents>
@@ -63,4 +63,4 @@ struct DualNumber {
   }
 };
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

@@ -8,7 +8,7 @@
 #include "energy/densities.h"
 #include "energy/jet_lanes.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 namespace {
 
 /// Running sums over the samples in each lane.
@@ -151,4 +151,4 @@ void integrate_all(const JetBlock& block, FunctionalSums& sums) {
   lanes.add_to(sums);
 }
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

@@ -6,10 +6,10 @@
 #include "base/kernel_namespace.h"
 #include "energy/energy_kernels.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 /// As EnergyKernels says.
 void integrate(const double* weights, bool second_order, bool third_order, const JetBlock& block, EnergySums& sums);
 void integrate_all(const JetBlock& block, FunctionalSums& sums);
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

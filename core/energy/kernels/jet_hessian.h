@@ -12,7 +12,7 @@
 #include "energy/kernels/dual_number.h"
 #include "surface/derivative_order.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 /// f's gradient.
 template <bool kThird, class T>
@@ -107,4 +107,4 @@ class JetHessian {
   T entries_[kSize][kSize];
 };
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

@@ -7,7 +7,7 @@
 #include "energy/jet_lanes.h"
 #include "energy/kernels/jet_hessian.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 namespace {
 
 using L = ShortLanes;
@@ -102,4 +102,4 @@ void patch_hessian(const HessianPatch& patch, const WeightedIntegrand& f, double
   f.third_order ? contract<true>(patch, f, scratch, out) : contract<false>(patch, f, scratch, out);
 }
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

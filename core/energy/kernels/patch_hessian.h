@@ -7,9 +7,9 @@
 #include "base/kernel_namespace.h"
 #include "energy/energy_kernels.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 /// As EnergyKernels says.
 void patch_hessian(const HessianPatch& patch, const WeightedIntegrand& f, double* scratch, double* out);
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

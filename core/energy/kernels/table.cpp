@@ -4,8 +4,8 @@
 #include "energy/kernels/integrals.h"
 #include "energy/kernels/patch_hessian.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 extern const EnergyKernels kEnergyKernels{integrate, patch_hessian, integrate_all};
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

@@ -7,7 +7,7 @@
 
 #include "base/lanes.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 namespace {
 
 using Offset = std::ptrdiff_t;
@@ -103,4 +103,4 @@ void dense_transposed_product(const DenseTable& table, int rows, const double* a
   if (c < width) transposed_columns<1>(table, rows, adjoint + Offset(c) * rows, width, out + c);
 }
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

@@ -9,7 +9,7 @@
 #include "base/kernel_namespace.h"
 #include "surface/surface_kernels.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 /// out (rows x width, column-major) = the table's first `rows` rows times points (columns x width, row-major). `rows`
 /// is a multiple of kSampleMultiple.
@@ -19,4 +19,4 @@ void dense_product(const DenseTable& table, int rows, const double* points, int 
 /// column-major).
 void dense_transposed_product(const DenseTable& table, int rows, const double* adjoint, int width, double* out);
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

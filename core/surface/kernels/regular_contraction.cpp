@@ -6,7 +6,7 @@
 #include "base/lanes.h"
 #include "surface/derivative_order.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 namespace {
 
 constexpr int highest_order(int derivatives) {
@@ -132,4 +132,4 @@ void pull_back_regular_jets(const RegularGrid& grid, const double* adjoint, int 
   with_points(grid.points, [&](auto count) { pull_back_on(count, grid, adjoint, derivatives, gradient); });
 }
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

@@ -6,10 +6,10 @@
 #include "base/kernel_namespace.h"
 #include "surface/surface_kernels.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 /// As RegularKernel::jets and RegularKernel::pull_back.
 void regular_jets(const RegularGrid& grid, const double* points, int derivatives, double* jets);
 void pull_back_regular_jets(const RegularGrid& grid, const double* adjoint, int derivatives, double* gradient);
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

@@ -4,9 +4,9 @@
 #include "surface/kernels/dense_product.h"
 #include "surface/kernels/regular_contraction.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 extern const SurfaceKernels kSurfaceKernels{regular_jets, pull_back_regular_jets, dense_product,
                                             dense_transposed_product};
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

@@ -5,7 +5,7 @@
 
 #include "base/lanes.h"
 
-namespace umbilic::inline UMBILIC_INSTRUCTION_SET {
+namespace umbilic::UMBILIC_KERNELS {
 
 double multiply_add(long rounds, double factor, double summand) {
   constexpr int kChains = 12;  // enough for two units of latency 4 to 6, and few enough for 16 registers
@@ -22,4 +22,4 @@ double multiply_add(long rounds, double factor, double summand) {
 
 extern const PeakKernels kPeakKernels{multiply_add, 12.0 * 2 * kLaneCount};
 
-}  // namespace umbilic::inline UMBILIC_INSTRUCTION_SET
+}  // namespace umbilic::UMBILIC_KERNELS

@@ -52,7 +52,7 @@ Eigen::MatrixXd gauge(const Points& control, bool conformal) {
 int negative_eigenvalues(const RefinedCage& cage, CapKind cap, const Weights& weights) {
   const PatchLayout layout(cage.mesh, cap);
   const Unknowns unknowns{Coordinates(cage.mesh.vertex_count())};
-  HessianAssembly assembly(layout, unknowns, weights, minimizing_rule(cap));
+  HessianAssembly assembly(layout, unknowns, weights, minimizing_rule(cap, weights));
   assembly.begin(cage.control);
   while (!assembly.advance()) {
   }
@@ -117,7 +117,7 @@ TEST(Certificate, is_refused_for_flat_caps_and_for_large_meshes) {
   const Cage torus = *generate_cage("torus", {.major_segments = 201, .minor_segments = 100});
   const RefinedCage large = *refine_to_evaluable(torus, 0, false);
   EXPECT_EQ(Certificate::create(large, CapKind::kSmooth, {1, 0, 0, 0, 0, 0}).error().message,
-            "no certificate on 20100 patches; at most 20000 are possible");
+            "no certificate on 20100 patches; at most 10000 are possible");
 }
 
 CertificateReport of_bending_minimizer(const char* name, int level) {

@@ -112,15 +112,20 @@ TEST(Extrapolate, refuses_energies_that_rise_or_fall_ever_faster_or_slowly) {
   }
 }
 
-TEST(Extrapolate, refuses_third_order_energies_of_surfaces_that_still_change) {
+TEST(Extrapolate, refuses_third_order_energies_of_surfaces_whose_changes_do_not_halve) {
   auto levels = sequence(100, 1, 2);
-  levels[2].bending = 106;
-  expect_refused(levels, LimitStatus::kNotConverging);
+  const auto with_bending = [&](double first, double second, double third) {
+    levels[0].bending = first;
+    levels[1].bending = second;
+    levels[2].bending = third;
+    return levels;
+  };
+  expect_refused(with_bending(142, 178, 237), LimitStatus::kNotConverging);
   EXPECT_EQ(extrapolate(levels, false).status, LimitStatus::kConverging) << "bending itself shows what it does";
-  levels[2].bending = 94;
-  expect_refused(levels, LimitStatus::kNotConverging);
-  levels[2].bending = 104;
-  EXPECT_EQ(extrapolate(levels, true).status, LimitStatus::kConverging);
+  expect_refused(with_bending(100, 110, 104), LimitStatus::kNotConverging);
+  expect_refused(with_bending(100, 110, 116), LimitStatus::kNotConverging);
+  EXPECT_EQ(extrapolate(with_bending(100, 110, 115), true).status, LimitStatus::kConverging);
+  EXPECT_EQ(extrapolate(with_bending(100, 100, 100.9), true).status, LimitStatus::kConverging) << "less than a percent";
 }
 
 TEST(Extrapolate, takes_levels_that_agree_within_their_uncertainty_as_the_limit) {

@@ -78,7 +78,7 @@ TEST(HessianMetric, solve_is_the_inverse_of_hessian_plus_rank_two_term_plus_mu_s
     for (const Weights& weights : {only(kBending), only(kMvsCross), Weights{1, 0, 0, 0.01, 0, 0}}) {
       HessianMetric metric(s.layout, s.unknowns, weights, kRule);
       finish(metric, s.control);
-      const Eigen::MatrixXd matrix = dense(s.layout, s.unknowns, weights, s.control, metric.mu());
+      const Eigen::MatrixXd matrix = dense(s.layout, s.unknowns, weights, s.control, metric.sobolev_share());
       const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(matrix.rows(), matrix.rows());
       // Condition numbers reach 1e6.
       EXPECT_LT((matrix * inverse_of(metric, matrix.rows()) - identity).norm(), 1e-8 * identity.norm());
@@ -98,14 +98,14 @@ TEST(HessianMetric, is_positive_definite_from_every_rough_start_because_mu_rises
           const Eigen::MatrixXd matrix = dense(s.layout, s.unknowns, only(functional), s.control, mu);
           return Eigen::LLT<Eigen::MatrixXd>(matrix).info() == Eigen::Success;
         };
-        EXPECT_GE(metric.mu(), 0.99e-2);
-        if (metric.mu() > 1.01e-2) {
-          EXPECT_FALSE(definite(metric.mu() / 10)) << "mu " << metric.mu();
+        EXPECT_GE(metric.sobolev_share(), 0.99e-2);
+        if (metric.sobolev_share() > 1.01e-2) {
+          EXPECT_FALSE(definite(metric.sobolev_share() / 10)) << "mu " << metric.sobolev_share();
         }
         const Eigen::VectorXd g = Random(seed).matrix<Eigen::VectorXd>(s.unknowns.count(), 1);
         EXPECT_GT(g.dot(metric.solve(g)), 0);
         // Folded surfaces, with energies of 1e15, may have no such mu: then it is the identity.
-        EXPECT_TRUE(definite(metric.mu()) || metric.solve(g) == g) << "mu " << metric.mu();
+        EXPECT_TRUE(definite(metric.sobolev_share()) || metric.solve(g) == g) << "mu " << metric.sobolev_share();
       }
     }
   }
@@ -116,17 +116,17 @@ TEST(HessianMetric, can_be_built_again_at_other_surfaces_as_if_it_were_new_but_f
   const Weights weights = only(kMvsCross);
   HessianMetric metric(a.layout, a.unknowns, weights, kRule);
   finish(metric, a.control);
-  const double first = metric.mu();
+  const double first = metric.sobolev_share();
   finish(metric, b.control);
-  const double second = metric.mu();
+  const double second = metric.sobolev_share();
   EXPECT_GE(second, 0.0999 * first);
   const Eigen::MatrixXd matrix = dense(b.layout, b.unknowns, weights, b.control, second);
   const Eigen::VectorXd x = Random(9).matrix<Eigen::VectorXd>(matrix.rows(), 1);
   EXPECT_LT((metric.solve(matrix * x) - x).norm(), 1e-8 * x.norm());
   // It falls by a factor each time, as far as the matrix stays positive definite.
   for (int i = 0; i < 3; ++i) finish(metric, b.control);
-  EXPECT_LE(metric.mu(), second * 1.001);
-  EXPECT_GE(metric.mu(), 0.99e-6);
+  EXPECT_LE(metric.sobolev_share(), second * 1.001);
+  EXPECT_GE(metric.sobolev_share(), 0.99e-6);
 }
 
 TEST(HessianMetric, knows_the_hessian) {
