@@ -26,14 +26,19 @@ struct umbilic_cage {
 
 struct umbilic_minimizer {
   Run run;
+  GroupReport group;
+};
+
+struct umbilic_certificate {
+  Certificate certificate;
 };
 
 struct umbilic_mesh {
-  Cage cage;        // polygons with full digits
-  LimitMesh limit;  // for OBJ text; empty for a control mesh
+  Cage cage;        // polygons with full digits; empty for a limit mesh
+  LimitMesh limit;  // the same; empty for a control mesh
   std::vector<float> positions, normals, curvatures;
   std::vector<uint32_t> triangles, edges;
-  int32_t corners = 0;
+  int32_t faces = 0, corners = 0;
   std::string obj;
 };
 
@@ -89,19 +94,26 @@ umbilic_mesh* make_mesh(Cage cage) {
       for (const int corner : {face[0], face[i - 1], face[i]}) mesh->triangles.push_back(corner);
     }
   }
+  mesh->faces = int32_t(cage.faces.size());
   mesh->corners = connectivity.halfedge_count();
   mesh->cage = std::move(cage);
   return mesh.release();
 }
 
+/// Two triangles for each quad; their edges are nobody's concern.
 umbilic_mesh* make_limit_mesh(LimitMesh limit) {
-  Cage cage{limit.positions, {}};
-  for (const auto& quad : limit.quads) cage.faces.emplace_back(quad.begin(), quad.end());
-  umbilic_mesh* mesh = make_mesh(std::move(cage));
+  auto mesh = std::make_unique<umbilic_mesh>();
+  mesh->positions = to_floats(limit.positions);
   mesh->normals = to_floats(limit.normals);
   mesh->curvatures = to_floats(limit.curvatures);
+  mesh->triangles.reserve(6 * limit.quads.size());
+  for (const auto& [a, b, c, d] : limit.quads) {
+    for (const int corner : {a, b, c, a, c, d}) mesh->triangles.push_back(corner);
+  }
+  mesh->faces = int32_t(limit.quads.size());
+  mesh->corners = 4 * mesh->faces;
   mesh->limit = std::move(limit);
-  return mesh;
+  return mesh.release();
 }
 
 template <class Names, class Name>
@@ -159,17 +171,22 @@ void umbilic_cage_counts(const umbilic_cage* cage, int32_t counts[5]) {
 }
 
 umbilic_status umbilic_minimizer_create(const umbilic_cage* cage, const double weights[6], int32_t cap,
-                                        int32_t first_level, int32_t last_level, int32_t max_iterations,
-                                        double tolerance, umbilic_minimizer** out) {
+                                        int32_t symmetry, int32_t metric, int32_t first_level, int32_t last_level,
+                                        int32_t max_iterations, double tolerance, umbilic_minimizer** out) {
   RunOptions options;
   std::copy_n(weights, kFunctionalCount, options.weights.begin());
   options.cap = static_cast<CapKind>(std::clamp(cap, 0, 2));
+  options.symmetry = symmetry != 0;
+  options.metric = static_cast<MetricChoice>(std::clamp(metric, 0, kMetricChoiceCount - 1));
   options.first_level = first_level;
   options.last_level = last_level;
   options.max_iterations = max_iterations;
   options.tolerance = tolerance;
   return attempt([&] { return Run::create(cage->cage, options); },
-                 [&](Run run) { *out = new umbilic_minimizer{std::move(run)}; });
+                 [&](Run run) {
+                   GroupReport group = run.group();
+                   *out = new umbilic_minimizer{std::move(run), std::move(group)};
+                 });
 }
 
 void umbilic_minimizer_destroy(umbilic_minimizer* minimizer) { delete minimizer; }
@@ -190,12 +207,29 @@ int32_t umbilic_minimizer_level_count(const umbilic_minimizer* minimizer) {
   return int32_t(minimizer->run.levels().size());
 }
 
-const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t index, double level[8]) {
+const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t index, double level[10]) {
   const LevelReport& r = minimizer->run.levels()[index];
-  const double values[8] = {double(r.level),   double(r.patches),    double(r.unknowns),    r.energy,
-                            r.energy_reported, double(r.iterations), double(r.evaluations), r.seconds};
-  std::copy_n(values, 8, level);
+  const double values[10] = {double(r.level),   double(r.patches),    double(r.unknowns),    r.energy,
+                             r.energy_reported, double(r.iterations), double(r.evaluations), r.seconds,
+                             double(r.metrics), double(r.evaluable)};
+  std::copy_n(values, 10, level);
   return name_of(r.stop).data();
+}
+
+const char* umbilic_minimizer_level_metric(const umbilic_minimizer* minimizer, int32_t index) {
+  return minimizer->run.levels()[index].metric.data();
+}
+
+const char* umbilic_minimizer_group(const umbilic_minimizer* minimizer, int32_t* order) {
+  *order = minimizer->group.order;
+  return minimizer->group.name.c_str();
+}
+
+const char* umbilic_minimizer_limit(const umbilic_minimizer* minimizer, double limit[3]) {
+  const LimitReport r = minimizer->run.limit();
+  const double values[3] = {r.energy, r.order, r.error};
+  std::copy_n(values, 3, limit);
+  return name_of(r.status).data();
 }
 
 void umbilic_minimizer_energies(const umbilic_minimizer* minimizer, double energies[9]) {
@@ -204,6 +238,33 @@ void umbilic_minimizer_energies(const umbilic_minimizer* minimizer, double energ
   energies[kFunctionalCount] = r.area;
   energies[kFunctionalCount + 1] = r.gaussian;
   energies[kFunctionalCount + 2] = r.quadrature_error;
+}
+
+umbilic_status umbilic_minimizer_certify(const umbilic_minimizer* minimizer, umbilic_certificate** out) {
+  return attempt([&] { return minimizer->run.certify(); },
+                 [&](Certificate certificate) { *out = new umbilic_certificate{std::move(certificate)}; });
+}
+
+void umbilic_certificate_destroy(umbilic_certificate* certificate) { delete certificate; }
+
+umbilic_status umbilic_certificate_step(umbilic_certificate* certificate, int32_t units, int32_t* done) {
+  return attempt(
+      [&] {
+        bool ready = false;
+        for (int32_t i = 0; i < units && !ready; ++i) ready = certificate->certificate.step();
+        return Result<bool>(ready);
+      },
+      [&](bool ready) { *done = ready; });
+}
+
+double umbilic_certificate_progress(const umbilic_certificate* certificate) {
+  return certificate->certificate.progress();
+}
+
+void umbilic_certificate_report(const umbilic_certificate* certificate, double report[5]) {
+  const CertificateReport& r = certificate->certificate.report();
+  const double values[5] = {double(r.level), double(r.unknowns), double(r.gauge), r.tau, double(r.negative)};
+  std::copy_n(values, 5, report);
 }
 
 umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out) {
@@ -224,7 +285,7 @@ umbilic_status umbilic_minimizer_limit_mesh(const umbilic_minimizer* minimizer, 
 void umbilic_mesh_destroy(umbilic_mesh* mesh) { delete mesh; }
 
 void umbilic_mesh_counts(const umbilic_mesh* mesh, int32_t counts[5]) {
-  const int32_t values[5] = {int32_t(mesh->positions.size() / 3), int32_t(mesh->cage.faces.size()), mesh->corners,
+  const int32_t values[5] = {int32_t(mesh->positions.size() / 3), mesh->faces, mesh->corners,
                              int32_t(mesh->edges.size() / 2), int32_t(mesh->triangles.size() / 3)};
   std::copy_n(values, 5, counts);
 }

@@ -19,6 +19,7 @@ extern "C" {
 
 typedef struct umbilic_cage umbilic_cage;
 typedef struct umbilic_minimizer umbilic_minimizer;
+typedef struct umbilic_certificate umbilic_certificate;
 typedef struct umbilic_mesh umbilic_mesh;
 
 typedef enum {
@@ -53,12 +54,13 @@ void umbilic_cage_counts(const umbilic_cage* cage, int32_t counts[5]);
 /* ---- one run ---- */
 
 /**
- * weights: six, in the order of umbilic_functional_names. cap: 0 none, 1 flat, 2 smooth. levels first..last count
- * Catmull-Clark steps from the cage and are raised when it needs more. The minimizer keeps no reference to the cage.
+ * weights: six, in the order of umbilic_functional_names. cap: 0 none, 1 flat, 2 smooth. symmetry: whether the surface
+ * keeps the cage's. metric: 0 auto, 1 identity, 2 sobolev, 3 hessian. Levels first..last count Catmull-Clark steps from
+ * the cage to the mesh whose points are moved. The minimizer keeps no reference to the cage.
  */
 umbilic_status umbilic_minimizer_create(const umbilic_cage* cage, const double weights[6], int32_t cap,
-                                        int32_t first_level, int32_t last_level, int32_t max_iterations,
-                                        double tolerance, umbilic_minimizer** out);
+                                        int32_t symmetry, int32_t metric, int32_t first_level, int32_t last_level,
+                                        int32_t max_iterations, double tolerance, umbilic_minimizer** out);
 
 void umbilic_minimizer_destroy(umbilic_minimizer* minimizer);
 
@@ -79,9 +81,24 @@ void umbilic_minimizer_progress(const umbilic_minimizer* minimizer, double progr
 /** Number of levels ended so far. */
 int32_t umbilic_minimizer_level_count(const umbilic_minimizer* minimizer);
 
-/** level: level, patches, unknowns, energy, energy_reported, iterations, evaluations, seconds. Returns the stop reason,
- * static storage. */
-const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t index, double level[8]);
+/**
+ * level: level, patches, unknowns, energy, energy_reported, iterations, evaluations, seconds, how often the metric was
+ * built, whether the mesh that was moved is evaluable itself (1) or only prepares the first that is (0). Returns the
+ * stop reason, static storage.
+ */
+const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t index, double level[10]);
+/** "identity", "sobolev" or "hessian", static storage. */
+const char* umbilic_minimizer_level_metric(const umbilic_minimizer* minimizer, int32_t index);
+
+/** Schoenflies symbol of the symmetry that the run keeps, C1 where there is none; `order` receives its order. */
+const char* umbilic_minimizer_group(const umbilic_minimizer* minimizer, int32_t* order);
+
+/**
+ * limit: energy, observed order (NaN where it cannot be told), error. Returns "converging": the levels' energies tend
+ * to energy +- error; or why they tell no limit, with the last level's energy and error NaN: "too_few_levels",
+ * "not_minimized", "not_converging". Static storage.
+ */
+const char* umbilic_minimizer_limit(const umbilic_minimizer* minimizer, double limit[3]);
 
 /**
  * energies of the best surface by the reporting rule: the six functionals in order, area, Gaussian curvature integral,
@@ -89,13 +106,33 @@ const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t 
  */
 void umbilic_minimizer_energies(const umbilic_minimizer* minimizer, double energies[9]);
 
+/* ---- whether the best surface is a minimum among all surfaces near it, symmetric or not ---- */
+
+/** Of the best surface so far; keeps no reference to the minimizer. Fails for flat caps and very large meshes. */
+umbilic_status umbilic_minimizer_certify(const umbilic_minimizer* minimizer, umbilic_certificate** out);
+
+void umbilic_certificate_destroy(umbilic_certificate* certificate);
+
+/** Does up to `units` units of about the cost of an energy evaluation, the last one far more; 1 when the report is
+ * ready. Running out of memory ends in a failure. */
+umbilic_status umbilic_certificate_step(umbilic_certificate* certificate, int32_t units, int32_t* done);
+
+/** In [0, 1]. */
+double umbilic_certificate_progress(const umbilic_certificate* certificate);
+
+/**
+ * report, once ready: level, unknowns of the full Hessian, gauge directions removed from it, tau (eigenvalues relative
+ * to the Sobolev product below -tau count as negative), number of directions along which the energy decreases.
+ */
+void umbilic_certificate_report(const umbilic_certificate* certificate, double report[5]);
+
 /* ---- meshes: the control mesh or the limit surface of the best surface so far ---- */
 
 /** The polygons of the cage as read; curvatures and normals are empty. */
 umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out);
 /** The control mesh; curvatures and normals are empty. */
 umbilic_status umbilic_minimizer_control_mesh(const umbilic_minimizer* minimizer, umbilic_mesh** out);
-/** The limit surface, `density` >= 1 quads along each edge of a patch. */
+/** The limit surface, `density` >= 1 quads along each edge of a patch; edges are empty. */
 umbilic_status umbilic_minimizer_limit_mesh(const umbilic_minimizer* minimizer, int32_t density, umbilic_mesh** out);
 
 void umbilic_mesh_destroy(umbilic_mesh* mesh);
@@ -106,7 +143,7 @@ const float* umbilic_mesh_positions(const umbilic_mesh* mesh);    /* 3 per verte
 const float* umbilic_mesh_normals(const umbilic_mesh* mesh);      /* 3 per vertex, or null */
 const float* umbilic_mesh_curvatures(const umbilic_mesh* mesh);   /* kappa1 >= kappa2 per vertex, or null */
 const uint32_t* umbilic_mesh_triangles(const umbilic_mesh* mesh); /* 3 per triangle */
-const uint32_t* umbilic_mesh_edges(const umbilic_mesh* mesh);     /* 2 per edge, each edge once */
+const uint32_t* umbilic_mesh_edges(const umbilic_mesh* mesh);     /* 2 per edge, each edge once; or null */
 /** OBJ text with full digits; `length` receives its bytes. */
 const char* umbilic_mesh_obj(umbilic_mesh* mesh, size_t* length);
 

@@ -5,6 +5,7 @@
 
 /** @typedef {'bending'|'willmore'|'mvs'|'mvs_cross'|'mehlum_tarrou'|'second_form_variation'} FunctionalName */
 /** @typedef {'none'|'flat'|'smooth'} CapName */
+/** @typedef {'auto'|'identity'|'sobolev'|'hessian'} MetricName */
 /** @typedef {'prepare'|'minimize'|'report'|'done'} Phase */
 /**
  * @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'}
@@ -15,6 +16,8 @@
  * @typedef {object} MinimizerOptions
  * @property {Partial<Record<FunctionalName, number>>} weights non-negative, not all zero
  * @property {CapName} [cap] default 'smooth'
+ * @property {boolean} [symmetry] whether the surface keeps the cage's; default true
+ * @property {MetricName} [metric] default 'auto'
  * @property {[number, number]} [levels] first and last, in Catmull-Clark steps from the cage; default [0, 2]
  * @property {number} [maxIterations] per level; default 1000
  * @property {number} [tolerance] default 1e-6
@@ -43,6 +46,36 @@
  * @property {number} evaluations
  * @property {number} seconds
  * @property {StopReason} stop
+ * @property {Exclude<MetricName, 'auto'>} metric
+ * @property {number} metrics how often the metric was built
+ * @property {boolean} evaluable whether the mesh that was moved is the one that the surface was evaluated on; coarser
+ *   ones only prepare the first of these
+ */
+
+/**
+ * The symmetry that a run keeps: its Schoenflies symbol, C1 where there is none, and its order.
+ * @typedef {{name: string, order: number}} Group
+ */
+
+/** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'} LimitStatus */
+
+/**
+ * What the levels say about the limit of their energies. Unless they converge, `energy` is the last level's and `error`
+ * NaN.
+ * @typedef {object} Limit
+ * @property {LimitStatus} status
+ * @property {number} energy
+ * @property {number} order observed; NaN where it cannot be told
+ * @property {number} error the limit is within energy ± error
+ */
+
+/**
+ * @typedef {object} CertificateReport
+ * @property {number} level
+ * @property {number} unknowns of the full Hessian, whatever symmetry the surface has
+ * @property {number} gauge directions along which the energy cannot change, removed
+ * @property {number} tau eigenvalues below -tau, relative to the Sobolev product, count as negative
+ * @property {number} negative directions along which the energy decreases to second order
  */
 
 /**
@@ -54,7 +87,7 @@
 
 /**
  * A mesh copied out of the core, fit to be transferred. `normals` and `curvatures` (κ1 ≥ κ2 per vertex, positive
- * where a sphere's are) are empty for control meshes.
+ * where a sphere's are) are empty for control meshes, `edges` for limit meshes.
  * @typedef {object} Mesh
  * @property {Float32Array} positions 3 per vertex
  * @property {Float32Array} normals 3 per vertex

@@ -52,6 +52,14 @@ export function createEffects({ client, save }) {
         if (before.opening) client.abandon();
         else if (after.asked === 'cancel' && before.asked !== 'cancel') client.send({ type: 'cancel', run });
         break;
+      case 'certifyPressed':
+        if (after.certifying && !before.certifying) client.send({ type: 'certify', run });
+        break;
+      case 'certificateCancelPressed':
+        if (after.certifying?.abandoning && !before.certifying?.abandoning) {
+          client.send({ type: 'abandonCertificate', run });
+        }
+        break;
       case 'downloadPressed':
         download(after, action.what);
         break;

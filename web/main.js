@@ -7,9 +7,11 @@ import { saveText } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { initialState, reduce } from './state/reduce.js';
 import { createCageView } from './views/cage.js';
+import { createCertificateView } from './views/certificate.js';
 import { find, setText, whenChanged } from './views/dom.js';
 import { createDropView, createFileTaker } from './views/drop.js';
 import { createLegendView } from './views/legend.js';
+import { createLimitView } from './views/limit.js';
 import { createAlertView, createDownloadsView, createThemeView } from './views/notices.js';
 import { createObjectiveView } from './views/objective.js';
 import { createPlotView } from './views/plot.js';
@@ -50,6 +52,8 @@ const plain = [
   createPlotView(byId('plot')),
   createEnergiesView(byId('energies')),
   createLevelsView(byId('levels')),
+  createLimitView(byId('limit')),
+  createCertificateView(byId('certificate'), dispatch),
   createDownloadsView(byId('downloads'), dispatch),
   createAlertView(byId('alert'), dispatch),
 ];

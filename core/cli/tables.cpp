@@ -88,7 +88,7 @@ std::string limit_line(const LimitReport& limit) {
 std::string certificate_line(const CertificateReport& certificate, const GroupReport& group) {
   std::string words = "a local minimum among all surfaces near it";
   if (certificate.negative > 0) {
-    words = fmt::format("{} lower the energy", plural(certificate.negative, "direction", "directions"));
+    words = plural(certificate.negative, "direction lowers the energy", "directions lower the energy");
     words += group.order > 1 ? fmt::format(": a minimum only within its symmetry {}", group.name) : ": no minimum";
   }
   return fmt::format("certificate: {} ({} unknowns, {} gauge directions, tau {:g})\n", words, certificate.unknowns,

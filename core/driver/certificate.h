@@ -22,7 +22,8 @@ namespace umbilic {
 /// directions, along their parametrization, that change the energy very little.
 inline constexpr double kCertificateTau = 1e-3;
 
-inline constexpr int kMaxCertifiedFaces = 20'000;
+/// So that it takes a minute, not an hour.
+inline constexpr int kMaxCertifiedFaces = 10'000;
 
 struct RefinedCage;
 

@@ -14,6 +14,13 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 LimitReport no_limit(LimitStatus status, double energy, double order) { return {status, energy, order, kNaN}; }
 
+/// Of three levels: functionals of third order may fall slowly along surfaces that never settle.
+bool settles(const LevelEnergy* levels) {
+  const double before = std::abs(levels[1].bending - levels[0].bending);
+  const double change = std::abs(levels[2].bending - levels[1].bending);
+  return change <= std::max(kSettlingFraction * before, kSettledFraction * levels[2].bending);
+}
+
 }  // namespace
 
 LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order) {
@@ -30,8 +37,7 @@ LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order
   if (std::abs(decrease) <= uncertainty) {
     return {LimitStatus::kConverging, last, kNaN, std::abs(decrease) + uncertainty};
   }
-  const double drift = std::abs(three[2].bending - three[1].bending) / three[1].bending;
-  if (!(order >= kLeastOrder) || (third_order && !(drift <= kLargestDrift))) {
+  if (!(order >= kLeastOrder) || (third_order && !settles(three))) {
     return no_limit(LimitStatus::kNotConverging, last, order);
   }
   const double ratio = std::exp2(std::min(order, third_order ? 2.0 : 4.0));

@@ -18,14 +18,16 @@ namespace umbilic {
 struct LevelEnergy {
   double energy = 0;       ///< by the reporting rule
   double uncertainty = 0;  ///< of the minimization and the quadrature
-  double bending = 0;      ///< of the same surface: whether surfaces settle, not only energies
+  double bending = 0;      ///< of the same surface
   bool minimized = true;
 };
 
 /// Least observed order at which three levels are believed to be in their asymptotic range.
 inline constexpr double kLeastOrder = 1.5;
-/// Largest relative change of the bending energy from one level to the next at which surfaces count as settled.
-inline constexpr double kLargestDrift = 0.05;
+/// Surfaces settle, not only energies, where their bending energy changes from the second to the third level by at most
+/// this fraction of its change before, or of itself.
+inline constexpr double kSettlingFraction = 0.5;
+inline constexpr double kSettledFraction = 0.01;
 
 /// `levels` are evaluable ones, in order; `third_order` whether the functional has a part of third order.
 LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order);

@@ -18,10 +18,11 @@ namespace {
 constexpr int kHessianLifetime = 10;
 constexpr int kSobolevLifetime = 25;
 
-/// Far from a minimum a Hessian may need so much of the Sobolev product that it adds nothing to it: after so many
-/// metrics of that kind Sobolev's alone takes over, unless the unknowns are so few that it does not matter.
+/// Far from a minimum a Hessian may need so much of the Sobolev product that it adds nothing to it: after so many such
+/// metrics Sobolev's alone takes over, unless the surface has so few patches to evaluate that it does not matter.
 constexpr int kPatience = 3;
-constexpr int kCheapUnknowns = 500;
+constexpr double kVainShare = 10;
+constexpr int kCheapPatches = 2100;
 
 /// Of levels that only prepare the first evaluable one.
 constexpr double kPreparingTolerance = 1e-3;
@@ -111,8 +112,8 @@ bool Level::metric_is_stale() const {
 }
 
 bool Level::metric_is_in_vain() const {
-  return metrics_ >= kPatience && unknowns_.count() > kCheapUnknowns && metric_->knows_hessian() &&
-         metric_->sobolev_share() >= 1;
+  return metrics_ >= kPatience && metric_->knows_hessian() && metric_->sobolev_share() >= kVainShare &&
+         surface_.layout().patch_count() > kCheapPatches;
 }
 
 bool Level::step() {
@@ -122,8 +123,7 @@ bool Level::step() {
       metric_ = make_metric(MetricChoice::kSobolev, surface_, unknowns_, options_);
       lbfgs_->set_metric(*metric_);
     }
-    metric_->begin(best());
-    building_ = true;
+    rebuild_metric();
   }
   if (building_) {
     if (!metric_->advance()) return false;
@@ -138,7 +138,16 @@ bool Level::step() {
     start();
     return false;
   }
-  return lbfgs_->step();
+  if (!lbfgs_->step()) return false;
+  if (!metric_ || metric_->settled() || lbfgs_->stop() != StopReason::kConverged) return true;
+  lbfgs_->resume();
+  rebuild_metric();
+  return false;
+}
+
+void Level::rebuild_metric() {
+  metric_->begin(best());
+  building_ = true;
 }
 
 void Level::cancel() {

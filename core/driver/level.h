@@ -50,6 +50,7 @@ class Level {
 
  private:
   void start();
+  void rebuild_metric();
   bool metric_is_stale() const;
   bool metric_is_in_vain() const;
 

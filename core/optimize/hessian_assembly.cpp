@@ -18,12 +18,10 @@ HessianAssembly::HessianAssembly(const PatchLayout& layout, const Unknowns& unkn
       energy_(jets_, weights),
       assembly_(layout, unknowns.coordinates()),
       sobolev_(layout, weights),
-      hessian_(layout, rule, weights) {
-  for (const PatchSet& set : layout.sets()) patch_count_ += set.count();
-}
+      hessian_(layout, rule, weights) {}
 
 double HessianAssembly::progress() const {
-  return stage_ == Stage::kFactors ? 0 : static_cast<double>(patches_done_) / patch_count_;
+  return stage_ == Stage::kFactors ? 0 : static_cast<double>(patches_done_) / jets_.layout().patch_count();
 }
 
 void HessianAssembly::begin(const Points& control) {

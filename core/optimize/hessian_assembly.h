@@ -48,7 +48,7 @@ class HessianAssembly {
   Stage stage_ = Stage::kFactors;
   Points control_;
   PatchCursor cursor_;
-  int patches_done_ = 0, patch_count_ = 0;
+  int patches_done_ = 0;
   std::vector<double> hessian_values_, sobolev_values_;
   Matrix reduced_hessian_, reduced_sobolev_;  // where the unknowns are those of a coarser mesh
   Eigen::MatrixXd factors_;

@@ -23,6 +23,7 @@ HessianMetric::HessianMetric(const PatchLayout& layout, const Unknowns& unknowns
 void HessianMetric::begin(const Points& control) {
   assembly_.begin(control);
   assembled_ = ready_ = false;
+  settled_ = mu_ <= kSmallestMu;
   mu_ = std::max(mu_ / kFactor, kSmallestMu);
 }
 
@@ -31,7 +32,10 @@ bool HessianMetric::advance() {
     assembled_ = assembly_.advance();
   } else if (!ready_) {
     ready_ = factor() || mu_ >= kLargestMu;
-    if (!ready_) mu_ *= kFactor;
+    if (!ready_) {
+      mu_ *= kFactor;
+      settled_ = true;
+    }
   }
   return ready_;
 }

@@ -23,6 +23,8 @@ class HessianMetric : public SurfaceMetric {
   std::string_view name() const override { return "hessian"; }
   bool knows_hessian() const override { return true; }
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
+  /// Whether mu fell no further.
+  bool settled() const override { return settled_; }
   /// mu.
   double sobolev_share() const override { return mu_; }
 
@@ -31,7 +33,7 @@ class HessianMetric : public SurfaceMetric {
 
   HessianAssembly assembly_;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
-  bool assembled_ = false, ready_ = false, analyzed_ = false;
+  bool assembled_ = false, ready_ = false, analyzed_ = false, settled_ = false;
   double mu_;
   Eigen::MatrixXd solved_;  ///< metric without the rank-two term, applied inversely to (u, v)
   Eigen::Matrix2d core_;    ///< of Woodbury's formula

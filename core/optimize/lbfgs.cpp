@@ -4,6 +4,7 @@
 #include "optimize/lbfgs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -64,6 +65,13 @@ bool Lbfgs::step() {
     case LineSearch::Status::kFailed: restart_or_stall(); break;
   }
   return ended();
+}
+
+void Lbfgs::resume() {
+  assert(stop_ == StopReason::kConverged);
+  stop_.reset();
+  pairs_.clear();
+  recent_values_.assign(1, value_);
 }
 
 Eigen::VectorXd Lbfgs::direction() const {

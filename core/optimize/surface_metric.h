@@ -19,6 +19,8 @@ class SurfaceMetric : public Metric {
   virtual std::string_view name() const = 0;
   /// Whether curvature pairs from before the metric was built say less than the metric.
   virtual bool knows_hessian() const = 0;
+  /// Whether a metric built here and now would be no better: convergence in this one can be believed.
+  virtual bool settled() const = 0;
   /// The factor of the Sobolev product in the metric.
   virtual double sobolev_share() const = 0;
 };

@@ -148,6 +148,10 @@ PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& fac
   std::sort(sets_.begin(), sets_.end(), [](const PatchSet& a, const PatchSet& b) { return a.kind < b.kind; });
 }
 
+int PatchLayout::patch_count() const {
+  return std::accumulate(sets_.begin(), sets_.end(), 0, [](int sum, const PatchSet& set) { return sum + set.count(); });
+}
+
 std::vector<Cap> PatchLayout::find_caps(const PolygonMesh& mesh) const {
   std::vector<int> extraordinary;
   for (int v = 0; v < mesh.vertex_count(); ++v) {

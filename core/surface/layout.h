@@ -44,6 +44,7 @@ class PatchLayout {
 
   int control_count() const { return control_count_; }
   int point_count() const { return point_count_; }
+  int patch_count() const;
   int face_count() const { return face_count_; }  ///< of the mesh
   CapKind cap() const { return cap_; }
   const std::vector<PatchSet>& sets() const { return sets_; }

@@ -78,6 +78,46 @@ export async function recordProgress(page) {
   return async () => (await texts.jsonValue()).filter((text) => text.startsWith('energy')).map(parseProgress);
 }
 
+/**
+ * Before the page loads: keeps what passes between page and worker, and when pictures are drawn, from the next press of
+ * Start on.
+ * @typedef {{time: number, name: string, evaluations: number}} PageEvent `time` in milliseconds after the press
+ * @param {Page} page
+ */
+export async function recordEvents(page) {
+  await page.addInitScript(() => {
+    /** @type {PageEvent[]} */
+    let events = [];
+    let start = 0;
+    /** @param {string} name @param {number} [evaluations] */
+    const keep = (name, evaluations = -1) => events.push({ time: performance.now() - start, name, evaluations });
+    window.Worker = class extends Worker {
+      /** @param {ConstructorParameters<typeof Worker>} options */
+      constructor(...options) {
+        super(...options);
+        this.addEventListener('message', ({ data }) => keep(data.type, data.evaluations));
+      }
+    };
+    addEventListener('DOMContentLoaded', () => {
+      const canvas = /** @type {HTMLElement} */ (document.querySelector('canvas'));
+      new MutationObserver(() => canvas.dataset.picture !== 'old' && keep('drawn')).observe(canvas, {
+        attributeFilter: ['data-picture'],
+      });
+      document
+        .querySelector('#primary')
+        ?.addEventListener('click', () => ((events = []), (start = performance.now())), {
+          capture: true,
+        });
+    });
+    Object.assign(window, { recordedEvents: () => events });
+  });
+}
+
+/** What has been recorded. @param {Page} page @returns {Promise<PageEvent[]>} */
+export function recordedEvents(page) {
+  return page.evaluate(() => /** @type {any} */ (window).recordedEvents());
+}
+
 /** Waits until so many evaluations have been done. @param {Page} page @param {number} count */
 export async function evaluated(page, count) {
   await page.waitForFunction((least) => {

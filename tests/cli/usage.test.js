@@ -32,7 +32,10 @@ describe('help', () => {
     for (const name of ['bending', 'willmore', 'mvs', 'mvs_cross', 'mehlum_tarrou', 'second_form_variation']) {
       expect(help).toMatch(new RegExp(`^  ${name} +(A \\* )?integral of`, 'm'));
     }
-    for (const fact of ['[0..2]', '[1000]', '[1e-6]', '[smooth]']) expect(help).toContain(fact);
+    for (const fact of ['[0..2]', '[1000]', '[1e-6]', '[smooth]', '[auto]']) expect(help).toContain(fact);
+    for (const option of ['--no-symmetry', '--metric NAME', '--certify']) {
+      expect(help).toMatch(new RegExp(`^ +${option} +\\S`, 'm'));
+    }
   });
 
   test('--version is that of the package', () => {
@@ -81,6 +84,9 @@ const senseless = [
   ['optimize - --functional bending --max-iterations 1.5', "'1.5' is not an integer from 0"],
   ['optimize - --functional bending --tolerance -1e-6', "'-1e-6' is negative"],
   ['optimize - --functional bending --tolerance inf', "'inf' is not a number"],
+  ['optimize - --functional bending --metric newton', "'newton' is none of auto, identity, sobolev, hessian"],
+  ['optimize - --functional bending --metric', 'metric'],
+  ['evaluate - --certify', 'not expected: --certify'],
   ['optimize - --functional bending --density 0', "'0' is not an integer from 1 to 64"],
   ['optimize - --functional bending -o a.obj --limit-mesh ./a.obj', 'two results would go to ./a.obj'],
   ['optimize - --functional bending -o - --report -', 'two results would go to -'],

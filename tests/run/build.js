@@ -51,13 +51,7 @@ function emscriptenToolchain() {
 /** Builds the page unless it is newer than everything that it is made of. */
 async function buildPage() {
   const page = path.join(root, 'build/web/index.html');
-  const inputs = [
-    'web',
-    'wasm/umbilic.js',
-    'build/wasm/umbilic-core.mjs',
-    'build/wasm/umbilic-core.wasm',
-    'package-lock.json',
-  ];
+  const inputs = ['web', 'wasm', 'build/wasm/umbilic-core.mjs', 'build/wasm/umbilic-core.wasm', 'package-lock.json'];
   if (existsSync(page) && newest(inputs) < statSync(page).mtimeMs) return true;
   const vite = ['node_modules/vite/bin/vite.js', 'build', '--config', 'web/vite.config.js', '--logLevel', 'warn'];
   return (await run(process.execPath, vite)) === 0;

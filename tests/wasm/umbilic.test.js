@@ -227,7 +227,8 @@ describe('a mesh', () => {
     const vertices = mesh.positions.length / 3;
     const quads = mesh.triangles.length / 6;
     expect(quads).toBe(96 * 3 * 3);
-    expect(vertices - mesh.edges.length / 2 + quads).toBe(2); // Euler's formula for the sphere
+    expect(vertices - 2 * quads + quads).toBe(2); // Euler's formula for the sphere, each quad having half of four edges
+    expect(mesh.edges).toHaveLength(0);
     expect(sixfoldVolume(mesh)).toBeGreaterThan(0);
     expect(mesh.normals).toHaveLength(3 * vertices);
     expect(mesh.curvatures).toHaveLength(2 * vertices);

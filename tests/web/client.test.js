@@ -3,7 +3,13 @@
  * @file The page's end of the worker: what it takes for a sign of life, and when it replaces a worker.
  */
 import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
-import { COMMAND_PATIENCE, PING_AFTER, WORK_PATIENCE, createClient } from '../../web/worker/client.js';
+import {
+  ABANDON_PATIENCE,
+  COMMAND_PATIENCE,
+  PING_AFTER,
+  WORK_PATIENCE,
+  createClient,
+} from '../../web/worker/client.js';
 import { progress } from './state.js';
 
 /** A worker whose answers the test gives. */
@@ -131,6 +137,17 @@ describe('a worker', () => {
     jest.advanceTimersByTime(WORK_PATIENCE - 500);
     expect(losses).toEqual([]);
     jest.advanceTimersByTime(1000);
+    expect(losses).toEqual([['silent', '']]);
+  });
+
+  test('that makes a certificate may be silent for as long as it takes, until it is asked to abandon it', () => {
+    load();
+    client.send({ type: 'certify', run: 1 });
+    last().pong();
+    jest.advanceTimersByTime(10 * WORK_PATIENCE);
+    expect(losses).toEqual([]);
+    client.send({ type: 'abandonCertificate', run: 1 });
+    jest.advanceTimersByTime(ABANDON_PATIENCE + 1000);
     expect(losses).toEqual([['silent', '']]);
   });
 

@@ -5,7 +5,7 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { quantities, quantityOf, sampleValues } from '../../web/colour/quantities.js';
-import { calmRange, robustRange } from '../../web/colour/range.js';
+import { calmRange, robustRange, sameRange } from '../../web/colour/range.js';
 
 /** @typedef {import('../../web/colour/quantities.js').Quantity} Quantity */
 
@@ -66,6 +66,12 @@ describe('a range', () => {
     expect(calmRange(before, little)).toBe(before);
     expect(calmRange(before, more)).toBe(more);
     expect(calmRange(before, less)).toBe(less);
+  });
+
+  test('is the same when its ends and ticks are', () => {
+    const range = robustRange(spread(-2.4, 2.4), true);
+    expect(sameRange(range, robustRange(spread(-2.41, 2.41), true))).toBe(true);
+    expect(sameRange(range, robustRange(spread(-5, 5), true))).toBe(false);
   });
 });
 

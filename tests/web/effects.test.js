@@ -6,7 +6,7 @@ import { beforeEach, describe, expect, test } from '@jest/globals';
 import { createEffects } from '../../web/effects.js';
 import { fileName, reportJson } from '../../web/files/report.js';
 import { initialState, reduce } from '../../web/state/reduce.js';
-import { answered, ended, openedMessages, resting, running } from './state.js';
+import { answered, certificate, ended, levelReport, noLimit, openedMessages, resting, running } from './state.js';
 
 /** @typedef {import('../../web/state/types.js').Action} Action */
 /** @typedef {import('../../web/state/types.js').State} State */
@@ -49,7 +49,14 @@ describe('the worker is told', () => {
         type: 'open',
         run: 1,
         source: { kind: 'generated', name: 'two-3', family: 'flag', thickness: 1 },
-        options: { weights: { mvs_cross: 1 }, cap: 'smooth', levels: [0, 2], tolerance: 1e-6, maxIterations: 1000 },
+        options: {
+          weights: { mvs_cross: 1 },
+          cap: 'smooth',
+          symmetry: true,
+          levels: [0, 2],
+          tolerance: 1e-6,
+          maxIterations: 1000,
+        },
       },
     ]);
   });
@@ -78,6 +85,21 @@ describe('the worker is told', () => {
     expect(types()).toEqual(['open', 'optimize']);
     run(state, ...openedMessages(2));
     expect(types()).toEqual(['open', 'optimize']);
+  });
+
+  test('to certify the surface that a run has ended with, once, and to abandon that once', () => {
+    run(ended(), { type: 'certifyPressed' }, { type: 'certifyPressed' });
+    expect(sent).toEqual([{ type: 'certify', run: 1 }]);
+    run(
+      ended(),
+      { type: 'certificateCancelPressed' },
+      { type: 'certifyPressed' },
+      { type: 'certificateCancelPressed' },
+      { type: 'certificateCancelPressed' },
+    );
+    expect(types()).toEqual(['certify', 'certify', 'abandonCertificate']);
+    run(running(), { type: 'certifyPressed' });
+    expect(sent).toHaveLength(3);
   });
 
   test('nothing by what only changes the view', () => {
@@ -126,6 +148,24 @@ describe('a download', () => {
       quadrature_error: 0.01,
     });
     expect(report.energies.quadratureError).toBeUndefined();
+  });
+
+  test('of the report has what the command line writes: group, metric, limit and certificate', () => {
+    const state = run(
+      ended(),
+      answered({ type: 'levelEnded', run: 1, report: levelReport(2, { metrics: 3 }), limit: noLimit() }),
+      { type: 'certifyPressed' },
+      answered({ type: 'certified', run: 1, report: certificate() }),
+    );
+    const report = JSON.parse(reportJson(state));
+    expect(report.group).toEqual({ name: 'D3h', order: 12 });
+    expect(report.extrapolated).toEqual({ status: 'too_few_levels', energy: 120.1, order: null, error: null });
+    expect(report.levels[0]).toMatchObject({ level: 2, metric: 'hessian', metrics: 3, evaluable: true });
+    expect(report.certificate).toEqual({ level: 2, unknowns: 1146, gauge: 7, tau: 0.001, negative: 6 });
+    const before = JSON.parse(reportJson(resting()));
+    expect(before.group).toEqual({ name: 'D3h', order: 12 });
+    expect(before).not.toHaveProperty('extrapolated');
+    expect(before).not.toHaveProperty('certificate');
   });
 
   test('before a run is named by the cage alone', () => {

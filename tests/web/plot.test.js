@@ -39,6 +39,13 @@ describe('a linear scale', () => {
       expect(domain[1]).toBeGreaterThanOrEqual(value);
     }
   });
+
+  test('of values that differ by round-off only is that of one value', () => {
+    const { domain, ticks, position } = linearScale(25.2, 25.2 * (1 + 2e-15), 4, true);
+    expect(domain).toEqual(linearScale(25.2, 25.2, 4, true).domain);
+    expect(new Set(ticks).size).toBe(ticks.length);
+    expect(Number.isFinite(position(25.2))).toBe(true);
+  });
 });
 
 describe('a logarithmic scale', () => {

@@ -4,7 +4,7 @@
  */
 import { beforeAll, beforeEach, describe, expect, test } from '@jest/globals';
 import { Cage, InputError, Minimizer, load } from '../../wasm/umbilic.js';
-import { densityFor } from '../../web/worker/density.js';
+import { RESTING_QUADS, densityFor } from '../../web/worker/density.js';
 import { SAMPLE_SIZE, transferables } from '../../web/worker/protocol.js';
 import { createSession } from '../../web/worker/session.js';
 
@@ -17,6 +17,8 @@ let waiting;
 /** @type {ReturnType<typeof createSession>} */
 let obey;
 let clock = 0;
+/** Milliseconds between two looks at the clock. */
+let pace = 5;
 
 beforeAll(() => load());
 
@@ -24,11 +26,12 @@ beforeEach(() => {
   messages = [];
   waiting = [];
   clock = 0;
+  pace = 5;
   obey = createSession({
     core: { Cage, InputError, Minimizer },
     post: (message) => messages.push(message),
     yieldThen: (task) => waiting.push(task),
-    now: () => (clock += 5),
+    now: () => (clock += pace),
   });
 });
 
@@ -53,8 +56,11 @@ const all = (type) => messages.filter((message) => message.type === type);
 describe('opening', () => {
   test('answers with counts, surface, a copy for safe keeping and energies, in that order', () => {
     open(1);
+    expect(types()).toEqual(['opened']);
+    work();
     expect(types()).toEqual(['opened', 'surfaced', 'saved', 'measured']);
     const [opened, surfaced, saved, measured] = messages;
+    expect(opened.group).toEqual({ name: 'Oh', order: 48 });
     expect(opened.counts).toMatchObject({ vertices: 8, genus: 0 });
     expect(surfaced.limit.positions.length).toBeGreaterThan(1000);
     expect(surfaced.control.edges).toHaveLength(2 * 48);
@@ -62,6 +68,14 @@ describe('opening', () => {
     expect(saved.level).toBe(1);
     expect(measured.energies.bending).toBeGreaterThan(8 * Math.PI);
     expect(waiting).toEqual([]);
+  });
+
+  test('shows a cage that is too coarse to be evaluated as finely as any other', () => {
+    open(1, { levels: [0, 0] });
+    work();
+    const [{ control, limit }] = all('surfaced');
+    expect(control.positions).toHaveLength(3 * 8);
+    expect(limit.triangles.length / 6).toBe(24 * densityFor(24, RESTING_QUADS) ** 2);
   });
 
   test('a broken file says where, and the run before it goes on', () => {
@@ -81,10 +95,12 @@ describe('opening', () => {
     open(1);
     obey({ type: 'optimize', run: 1 });
     work(3);
-    open(2);
     messages.length = 0;
+    open(2);
     work();
-    expect(messages).toEqual([]);
+    expect(types()).toEqual(['opened', 'surfaced', 'saved', 'measured']);
+    expect(messages.every((message) => message.run === 2)).toBe(true);
+    messages.length = 0;
     obey({ type: 'pause', run: 1 });
     expect(messages).toEqual([]);
     obey({ type: 'optimize', run: 1 });
@@ -92,21 +108,115 @@ describe('opening', () => {
   });
 });
 
+describe('a certificate', () => {
+  /** @param {number} run @param {any} [more] */
+  function minimize(run, more) {
+    open(run, more);
+    obey({ type: 'optimize', run });
+    work();
+    messages.length = 0;
+  }
+
+  test('advances step by step and says whether the surface is a minimum', () => {
+    minimize(1);
+    obey({ type: 'certify', run: 1 });
+    expect(messages).toEqual([]);
+    work();
+    const advances = all('certificateAdvanced').map(({ progress }) => progress);
+    expect(advances.length).toBeGreaterThan(3);
+    expect(advances).toEqual([...advances].sort((a, b) => a - b));
+    expect(advances.at(-1)).toBe(1);
+    expect(messages.at(-1)).toEqual({
+      type: 'certified',
+      run: 1,
+      report: { level: 1, unknowns: 78, gauge: 10, tau: 1e-3, negative: 0 },
+    });
+  });
+
+  test('is abandoned between two steps, and one that is ready is not', () => {
+    minimize(1);
+    obey({ type: 'certify', run: 1 });
+    work(2);
+    obey({ type: 'abandonCertificate', run: 1 });
+    expect(types().at(-1)).toBe('certificateAbandoned');
+    const count = messages.length;
+    work();
+    obey({ type: 'abandonCertificate', run: 1 });
+    expect(messages).toHaveLength(count);
+    obey({ type: 'certify', run: 1 });
+    work();
+    expect(all('certified')).toHaveLength(1);
+  });
+
+  test('is dropped when another run opens, and refused with the reason where there can be none', () => {
+    minimize(1);
+    obey({ type: 'certify', run: 1 });
+    work(2);
+    minimize(2, { cap: 'flat' });
+    expect(all('certified')).toEqual([]);
+    obey({ type: 'certify', run: 2 });
+    work();
+    expect(messages).toEqual([{ type: 'failed', run: 2, kind: 'input', message: expect.stringMatching(/cap flat/) }]);
+  });
+
+  test('is not begun while a run goes on', () => {
+    open(1);
+    obey({ type: 'optimize', run: 1 });
+    obey({ type: 'certify', run: 1 });
+    work();
+    expect(types()).not.toContain('certified');
+    expect(all('ended')).toHaveLength(1);
+  });
+});
+
 describe('a run', () => {
   test('tells every evaluation once, its levels, and at last that it has ended', () => {
     open(1, { levels: [1, 2] });
+    work();
     obey({ type: 'optimize', run: 1 });
     work();
     const samples = all('stepped').flatMap((message) => [...message.samples]);
     const evaluations = samples.filter((_, i) => i % SAMPLE_SIZE === 0);
     expect(evaluations).toEqual(evaluations.map((_, i) => i + 1));
     expect(all('levelEnded').map(({ report }) => report.level)).toEqual([1, 2]);
+    expect(all('levelEnded').map(({ limit }) => limit.status)).toEqual(['too_few_levels', 'too_few_levels']);
     const [ended] = all('ended');
     expect(ended.progress.totalEvaluations).toBe(evaluations.length);
     expect(ended.stop).toBe(all('levelEnded')[1].report.stop);
     // After the answer, everything that the page needs to rest.
     expect(types().slice(types().indexOf('ended'))).toEqual(['ended', 'surfaced', 'saved', 'measured']);
     expect(messages.at(-1).energies.bending).toBeCloseTo(all('levelEnded')[1].report.energyReported, 9);
+  });
+
+  test('shows the first surface that has moved before it does anything else that takes time', () => {
+    pace = 0.1;
+    for (const resting of [true, false]) {
+      messages = [];
+      const run = resting ? 1 : 2;
+      open(run, { levels: [1, 2] });
+      if (resting) work();
+      const before = messages.length;
+      obey({ type: 'optimize', run });
+      work();
+      const order = types().slice(before);
+      const first = order.indexOf('surfaced');
+      const { evaluations } = messages[before + first];
+      expect(evaluations).toBeGreaterThan(1);
+      expect(evaluations).toBeLessThan(5);
+      expect(order.slice(0, first)).not.toContain('saved');
+      expect(order.slice(0, first)).not.toContain('levelEnded');
+      // The energies of the start are those of the surface before it moves.
+      expect(all('measured')[0].evaluations).toBe(0);
+      expect(order.slice(0, first).filter((type) => type === 'measured')).toHaveLength(resting ? 0 : 1);
+    }
+  });
+
+  test('that is long in preparing its first step after it was opened shows its cage meanwhile', () => {
+    pace = 50;
+    open(1);
+    obey({ type: 'optimize', run: 1 });
+    work();
+    expect(all('surfaced')[0].evaluations).toBe(0);
   });
 
   test('yields after every evaluation, so that pause waits for one at most', () => {
@@ -172,6 +282,7 @@ describe('a run', () => {
 
   test('exports its limit mesh', () => {
     open(1);
+    work();
     obey({ type: 'export', run: 1 });
     const [exported] = all('exported');
     const cage = Cage.read(exported.obj);
@@ -193,6 +304,7 @@ test('a command for a cage that never opened is no failure', () => {
 
 test('the buffers of meshes and samples are handed over, empty ones are not', () => {
   open(1);
+  work();
   const [surfaced] = all('surfaced');
   const buffers = transferables(surfaced);
   expect(buffers).toContain(surfaced.limit.curvatures.buffer);

@@ -54,11 +54,40 @@ export function energies(bending) {
   };
 }
 
+/**
+ * @param {number} level
+ * @param {Partial<import('../../wasm/types.js').LevelReport>} [more]
+ * @returns {import('../../wasm/types.js').LevelReport}
+ */
+export function levelReport(level, more = {}) {
+  return {
+    level,
+    patches: 24 * 4 ** level,
+    unknowns: 78,
+    energy: 120,
+    energyReported: 120.1,
+    iterations: 4,
+    evaluations: 5,
+    seconds: 1,
+    stop: 'converged',
+    metric: 'hessian',
+    metrics: 1,
+    evaluable: true,
+    ...more,
+  };
+}
+
+/** @returns {import('../../wasm/types.js').Limit} of too few levels */
+export const noLimit = () => ({ status: 'too_few_levels', energy: 120.1, order: NaN, error: NaN });
+
+/** @returns {import('../../wasm/types.js').CertificateReport} */
+export const certificate = () => ({ level: 2, unknowns: 1146, gauge: 7, tau: 0.001, negative: 6 });
+
 /** What the worker says when it has opened run `run`. @param {number} run @returns {Action[]} */
 export function openedMessages(run) {
   const counts = { vertices: 26, edges: 60, faces: 32, components: 1, genus: 2 };
   return [
-    answered({ type: 'opened', run, counts }),
+    answered({ type: 'opened', run, counts, group: { name: 'D3h', order: 12 } }),
     answered({ type: 'surfaced', run, evaluations: 0, limit: mesh(), control: mesh() }),
     answered({ type: 'saved', run, level: 0, evaluations: 0, obj: `start of ${run}` }),
     answered({ type: 'measured', run, evaluations: 0, energies: energies(150) }),

@@ -5,7 +5,17 @@
 import { describe, expect, test } from '@jest/globals';
 import { cageWords, stemOf } from '../../web/words/cages.js';
 import { caps, functionals, functionalWords } from '../../web/words/functionals.js';
+import {
+  certificateDetails,
+  certificateWords,
+  groupWords,
+  limitWords,
+  metricWords,
+  schoenflies,
+} from '../../web/words/results.js';
 import { compact, counted, duration, significant, tickText, whole, withError } from '../../web/words/numbers.js';
+
+import { certificate, levelReport, noLimit } from './state.js';
 
 /** The narrow space between groups of digits does not break. @param {string} text */
 const narrow = (text) => text.replaceAll(' ', '\u202f');
@@ -57,6 +67,17 @@ describe('a number', () => {
     [-2e6, '−2 × 10⁶'],
   ])('%p is %p on an axis', (value, text) => expect(tickText(value)).toBe(narrow(text)));
 
+  test.each([
+    [3917.4, 36.2, '3917', '36'],
+    [3917.4, 3.62, '3917.4', '3.6'],
+    [78.956794, 0.0034013, '78.9568', '0.0034'],
+    [112.76693, 0.0000962, '112.766930', '0.000096'],
+    [112.7, 9.96, '113', '10'],
+    [3936.04, 123, '3940', '120'],
+  ])('%p ± %p with two digits of its error', (value, error, text, bar) => {
+    expect(withError(value, error, 2)).toEqual({ value: text, error: bar });
+  });
+
   test('without an error has no error bar', () => {
     expect(withError(112.7668, 0).error).toBe('');
     expect(withError(NaN, 0.1)).toEqual({ value: '–', error: '' });
@@ -105,3 +126,77 @@ describe('a name', () => {
     expect(caps.map(({ id }) => id).sort()).toEqual(['flat', 'none', 'smooth']);
   });
 });
+
+describe('the limit of the levels', () => {
+  const levels = [0, 1, 2].map((level) => levelReport(level));
+
+  test('is a value with its error and the observed order, if there is one', () => {
+    const limit = { status: /** @type {const} */ ('converging'), energy: 3917.4, order: 1.86, error: 36.2 };
+    expect(limitWords(limit, levels)).toEqual({ value: '3917', error: '36', words: 'observed order 1.9' });
+    expect(limitWords({ ...limit, order: NaN }, levels).words).toBe('the last levels agree');
+  });
+
+  test('of too few levels says how many more it takes; those that only prepare do not count', () => {
+    const words = (/** @type {typeof levels} */ some) => limitWords(noLimit(), some).words;
+    expect(words(levels.slice(1))).toBe('one more level gives an error bar');
+    expect(words([levelReport(0, { evaluable: false }), ...levels.slice(1)])).toBe('one more level gives an error bar');
+    expect(words(levels.slice(2))).toBe('2 more levels give an error bar');
+  });
+
+  test('of levels that do not tell it is an upper bound, or nothing', () => {
+    const bound = { ...noLimit(), status: /** @type {const} */ ('not_converging'), energy: 101.25, order: 0.4 };
+    expect(limitWords(bound, levels)).toEqual({ value: '101.250', error: '', words: 'upper bound, not converging' });
+    const early = { ...noLimit(), status: /** @type {const} */ ('not_minimized') };
+    expect(limitWords(early, levels)).toEqual({
+      value: '',
+      error: '',
+      words: 'no error bar: a level ended before its minimum',
+    });
+  });
+});
+
+describe('a symmetry', () => {
+  test.each([
+    ['D3h', 'D', '3h'],
+    ['Oh', 'O', 'h'],
+    ['C1', 'C', '1'],
+    ['T', 'T', ''],
+  ])('%s is the letter %s with the index %p', (name, letter, index) => {
+    expect(schoenflies(name)).toEqual({ letter, index });
+  });
+
+  test('is named with its order where it is kept', () => {
+    const group = { name: 'D3h', order: 12 };
+    expect(groupWords(group, true)).toEqual({ symbol: 'D3h', words: ', order 12' });
+    expect(groupWords({ name: 'C1', order: 1 }, true).words).toBe('the cage has none');
+    expect(groupWords(group, false)).toEqual({ symbol: '', words: '' });
+    expect(groupWords(null, true)).toEqual({ symbol: '', words: '' });
+  });
+});
+
+describe('a certificate', () => {
+  const group = { name: 'D3h', order: 12 };
+  /** @param {number} negative @param {typeof group | null} kept @param {Parameters<typeof certificateWords>[2]} stop */
+  function sentence(negative, kept = group, stop = 'converged') {
+    const { before, symbol, after } = certificateWords({ ...certificate(), negative }, kept, stop);
+    return before + symbol + after;
+  }
+
+  test('says whether the surface is a minimum, and among which surfaces', () => {
+    expect(sentence(0)).toBe('A local minimum among all surfaces near it.');
+    expect(sentence(6)).toBe('6 directions lower the energy: a minimum only within its symmetry (D3h).');
+    expect(sentence(1)).toBe('1 direction lowers the energy: a minimum only within its symmetry (D3h).');
+    expect(sentence(2, { name: 'C1', order: 1 })).toBe('2 directions lower the energy: a saddle point, not a minimum.');
+  });
+
+  test('calls nothing a minimum that has not converged', () => {
+    expect(sentence(0, group, 'cancelled')).toMatch(/^No direction lowers .* before it converged\.$/);
+    expect(sentence(6, group, 'max_iterations')).toBe('6 directions lower the energy to second order.');
+  });
+
+  test('tells its unknowns and its threshold', () => {
+    expect(certificateDetails(certificate())).toBe('1146 unknowns, τ\u00a0=\u00a00.001');
+  });
+});
+
+test('every metric has a name', () => expect(Object.values(metricWords)).toHaveLength(3));

@@ -77,3 +77,8 @@ export function calmRange(previous, next) {
   const used = (next.high - next.low) / width;
   return overshoot <= 0.02 && used >= 0.6 ? previous : next;
 }
+
+/** @param {Range} a @param {Range} b both round, so that equal ones are equal to the last digit */
+export function sameRange(a, b) {
+  return a.low === b.low && a.high === b.high && a.ticks.length === b.ticks.length;
+}

@@ -16,7 +16,7 @@ const orNull = (value) => (Number.isFinite(value) ? value : null);
  * @returns {string}
  */
 export function reportJson(state) {
-  const { cage, latest, runSettings, levels, version } = state;
+  const { cage, latest, runSettings, levels, limit, certificate, group, version } = state;
   const { quadratureError = NaN, ...energies } = latest?.energies ?? {};
   const objective =
     runSettings.functional === 'blend'
@@ -27,8 +27,17 @@ export function reportJson(state) {
     input: cage && { name: cage.name, ...cage.counts },
     ...objective,
     cap: runSettings.cap,
+    ...(group && { group }),
     energies: Object.fromEntries(Object.entries(energies).map(([name, value]) => [name, orNull(value)])),
     quadrature_error: orNull(quadratureError),
+    ...(limit && {
+      extrapolated: {
+        status: limit.status,
+        energy: orNull(limit.energy),
+        order: orNull(limit.order),
+        error: orNull(limit.error),
+      },
+    }),
     levels: levels.map(({ energyReported, ...level }) => ({
       level: level.level,
       patches: level.patches,
@@ -39,7 +48,11 @@ export function reportJson(state) {
       evaluations: level.evaluations,
       seconds: level.seconds,
       stop: level.stop,
+      metric: level.metric,
+      metrics: level.metrics,
+      evaluable: level.evaluable,
     })),
+    ...(certificate && { certificate }),
   };
   return `${JSON.stringify(report, null, 2)}\n`;
 }

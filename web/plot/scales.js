@@ -18,6 +18,9 @@ function niceStep(span, count) {
   return ([1, 2, 5].find((m) => m * power >= raw * (1 - 1e-9)) ?? 10) * power;
 }
 
+/** Values that differ by less, relative to them, have no ticks between them. */
+const ROUND_OFF = 1e-10;
+
 /**
  * About `count` intervals; the domain ends at ticks when `closed`, and at the values otherwise.
  * @param {number} low
@@ -27,10 +30,11 @@ function niceStep(span, count) {
  * @returns {Scale}
  */
 export function linearScale(low, high, count, closed) {
-  const span = high > low ? high - low : Math.abs(low) || 1;
+  const wide = high - low > ROUND_OFF * Math.max(Math.abs(low), Math.abs(high));
+  const span = wide ? high - low : Math.abs(low) || 1;
   const step = niceStep(span, count);
   const first = (closed ? Math.floor : Math.ceil)(low / step + (closed ? 1e-9 : -1e-9));
-  const end = high > low ? high : low + span;
+  const end = wide ? high : low + span;
   const last = (closed ? Math.ceil : Math.floor)(end / step + (closed ? -1e-9 : 1e-9));
   const ticks = Array.from({ length: last - first + 1 }, (_, i) => Number(((first + i) * step).toPrecision(12)));
   const [start, stop] = closed ? [ticks[0], ticks[ticks.length - 1]] : [low, end];

@@ -53,10 +53,8 @@ function afterRunMessage(state, message) {
         progress: message.progress,
         samples: state.samples.concat(unpack(message.samples, state.levelOffset)),
       };
-    case 'levelEnded': {
-      const report = { ...message.report, level: message.report.level + state.levelOffset };
-      return { ...state, levels: [...state.levels, report] };
-    }
+    case 'levelEnded':
+      return { ...state, levels: [...state.levels, fromCage(message.report, state)], limit: message.limit };
     case 'paused':
       return { ...state, status: 'paused', asked: null, progress: message.progress };
     case 'ended':
@@ -67,7 +65,24 @@ function afterRunMessage(state, message) {
     }
     case 'exported':
       return { ...state, exporting: false };
+    case 'certificateAdvanced':
+      return state.certifying ? { ...state, certifying: { ...state.certifying, progress: message.progress } } : state;
+    case 'certified':
+      return { ...state, certifying: null, certificate: fromCage(message.report, state) };
+    case 'certificateAbandoned':
+      return { ...state, certifying: null };
   }
+}
+
+/**
+ * What the worker says of a level, counted from the cage.
+ * @template {{level: number}} T
+ * @param {T} report
+ * @param {State} state
+ * @returns {T}
+ */
+function fromCage(report, { levelOffset }) {
+  return { ...report, level: report.level + levelOffset };
 }
 
 /** @param {Float64Array} packed @param {number} levelOffset @returns {Sample[]} */
@@ -87,7 +102,17 @@ function unpack(packed, levelOffset) {
 function afterOpened(state, opening, message) {
   const { run, source, settings, purpose, then, levelOffset } = opening;
   /** @type {State} */
-  const opened = { ...state, run, opening: null, levelOffset, asked: null, runSettings: settings, exporting: false };
+  const opened = {
+    ...state,
+    run,
+    opening: null,
+    levelOffset,
+    asked: null,
+    runSettings: settings,
+    group: message.group,
+    exporting: false,
+    certifying: null,
+  };
   if (purpose === 'recovery') return { ...opened, status: state.samples.length ? 'ended' : 'resting' };
   /** @type {State} */
   const fresh = {
@@ -97,7 +122,9 @@ function afterOpened(state, opening, message) {
     stop: null,
     samples: [],
     levels: [],
+    limit: null,
     first: null,
+    certificate: null,
   };
   if (purpose !== 'cage') return fresh;
   return {
@@ -115,7 +142,9 @@ function afterOpened(state, opening, message) {
 function afterFailed(state, run, message) {
   const { opening } = state;
   if (opening?.run !== run) {
-    return run === state.run ? { ...state, exporting: false, alert: { title: 'This did not work', message } } : state;
+    if (run !== state.run) return state;
+    const title = state.certifying ? 'There is no certificate' : 'This did not work';
+    return { ...state, exporting: false, certifying: null, alert: { title, message } };
   }
   /** @type {State} */
   const closed = { ...state, opening: null, status: state.status === 'loading' ? 'resting' : state.status };
@@ -143,27 +172,55 @@ const lossTitles = {
 export function afterLoss(state, loss, detail) {
   const title = lossTitles[loss];
   /** @type {State} */
-  const idle = { ...state, opening: null, asked: null, exporting: false };
+  const idle = { ...state, opening: null, asked: null, exporting: false, certifying: null };
   if (loss === 'unloadable') {
     return { ...idle, status: 'unavailable', alert: { title, message: detail || 'WebAssembly with SIMD is needed.' } };
   }
+  const started = state.samples.length > 0 || state.status === 'running';
+  const stopped = state.certifying ? afterCertificate(state, idle, detail) : afterRun(state, idle, title, detail);
+  if (!state.cage || state.opening?.purpose === 'recovery') return stopped;
+  const { name } = state.cage;
+  const saved = started ? state.saved : null;
+  const source = saved ? /** @type {const} */ ({ kind: 'text', name, text: saved.obj }) : state.cage.source;
+  return beginOpening(stopped, { source, purpose: 'recovery', then: 'hold', levelOffset: saved?.level ?? 0 });
+}
+
+/**
+ * What has been computed stays; only the certificate is gone, for which the worker was given up where nothing else ends
+ * it.
+ * @param {State} state
+ * @param {State} idle
+ * @param {string} detail
+ * @returns {State}
+ */
+function afterCertificate({ certifying, runSettings, settings, alert }, idle, detail) {
+  const message = detail || 'The surface is kept.';
+  return {
+    ...idle,
+    settings: { ...runSettings, origin: settings.origin },
+    alert: certifying?.abandoning ? alert : { title: 'The certificate broke off', message },
+  };
+}
+
+/**
+ * @param {State} state
+ * @param {State} idle
+ * @param {string} title
+ * @param {string} detail
+ * @returns {State}
+ */
+function afterRun(state, idle, title, detail) {
   const started = state.samples.length > 0 || state.status === 'running';
   const kept =
     started && state.saved
       ? `The surface after ${whole(state.saved.evaluations)} evaluations is kept; Start goes on from it.`
       : '';
   const message = [detail, kept].filter(Boolean).join(' ') || 'What was there before is kept.';
-  /** @type {State} */
-  const stopped = {
+  return {
     ...idle,
     status: started ? 'ended' : 'resting',
     stop: started ? 'interrupted' : null,
     settings: { ...state.runSettings, origin: started && state.saved ? 'surface' : 'cage' },
     alert: { title, message },
   };
-  if (!state.cage || state.opening?.purpose === 'recovery') return stopped;
-  const { name } = state.cage;
-  const saved = started ? state.saved : null;
-  const source = saved ? /** @type {const} */ ({ kind: 'text', name, text: saved.obj }) : state.cage.source;
-  return beginOpening(stopped, { source, purpose: 'recovery', then: 'hold', levelOffset: saved?.level ?? 0 });
 }

@@ -30,12 +30,14 @@ export function initialState(theme = 'system') {
     lastRun: 0,
     run: 0,
     runSettings: defaultSettings,
+    group: null,
     levelOffset: 0,
     asked: null,
     progress: null,
     stop: null,
     samples: [],
     levels: [],
+    limit: null,
     first: null,
     latest: null,
     surface: null,
@@ -43,6 +45,8 @@ export function initialState(theme = 'system') {
     fits: 0,
     fitDue: false,
     exporting: false,
+    certifying: null,
+    certificate: null,
     alert: null,
     view: { shading: 'mean', cage: false, theme },
   };
@@ -71,6 +75,11 @@ export function settingsAreFree(state) {
 /** Whether the next run goes on from the surface. @param {State} state */
 export function startsFromSurface(state) {
   return state.status === 'ended' && state.settings.origin === 'surface' && state.saved !== null;
+}
+
+/** Whether there is a surface at rest that a run has ended with, and no certificate of it yet. @param {State} state */
+export function canBeCertified({ status, opening, certifying, certificate }) {
+  return status === 'ended' && !opening && !certifying && !certificate;
 }
 
 /**
@@ -132,6 +141,10 @@ export function reduce(state, action) {
       const settings = { ...state.settings, origin: /** @type {const} */ ('cage') };
       return openPreview({ ...state, settings });
     }
+    case 'certifyPressed':
+      return canBeCertified(state) ? { ...state, certifying: { progress: 0, abandoning: false } } : state;
+    case 'certificateCancelPressed':
+      return state.certifying ? { ...state, certifying: { ...state.certifying, abandoning: true } } : state;
     case 'viewChanged':
       return { ...state, view: { ...state.view, ...action.change } };
     case 'fitPressed':

@@ -5,7 +5,7 @@
 import { cageWords } from '../words/cages.js';
 import { functionalWords, stopWords } from '../words/functionals.js';
 import { counted } from '../words/numbers.js';
-import { settingsAreFree } from './reduce.js';
+import { canBeCertified, settingsAreFree } from './reduce.js';
 import { activeWeights, problemWith } from './settings.js';
 
 /** @import {Energies, FunctionalName} from '../../wasm/types.js' */
@@ -41,6 +41,17 @@ export function runButtons(state) {
       enabled: usable && !opening && (state.samples.length > 0 || active || status === 'ended'),
     },
   };
+}
+
+/**
+ * The certificate's button, which begins it and cancels it.
+ * @param {State} state
+ * @returns {Button}
+ */
+export function certificateButton(state) {
+  const { certifying } = state;
+  if (!certifying) return { label: 'Certify', action: 'certifyPressed', enabled: canBeCertified(state) };
+  return { label: 'Cancel', action: 'certificateCancelPressed', enabled: !certifying.abandoning };
 }
 
 /**

@@ -14,6 +14,7 @@ export const defaultSettings = {
   functional: 'mvs_cross',
   weights: { bending: 0.5, willmore: 0, mvs: 0, mvs_cross: 0.5, mehlum_tarrou: 0, second_form_variation: 0 },
   cap: 'smooth',
+  symmetry: true,
   levels: [0, 2],
   tolerance: 1e-6,
   maxIterations: 1000,
@@ -70,6 +71,7 @@ export function optionsOf(settings, levelOffset) {
   return {
     weights: activeWeights(settings),
     cap: settings.cap,
+    symmetry: settings.symmetry,
     levels: [first, last],
     tolerance: settings.tolerance,
     maxIterations: settings.maxIterations,

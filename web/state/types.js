@@ -3,8 +3,8 @@
  * @file The types of the page's one state object and of the actions that change it; nothing here runs.
  */
 
-/** @import {CageCounts, CapName, Energies, FunctionalName} from '../../wasm/types.js' */
-/** @import {LevelReport, Mesh, Progress, StopReason} from '../../wasm/types.js' */
+/** @import {CageCounts, CapName, CertificateReport, Energies, FunctionalName} from '../../wasm/types.js' */
+/** @import {Group, LevelReport, Limit, Mesh, Progress, StopReason} from '../../wasm/types.js' */
 /** @import {Shading} from '../colour/quantities.js' */
 /** @import {Message, Source} from '../worker/protocol.js' */
 /** @import {Loss} from '../worker/client.js' */
@@ -15,6 +15,7 @@
  * @property {FunctionalName | 'blend'} functional
  * @property {Record<FunctionalName, number>} weights
  * @property {CapName} cap
+ * @property {boolean} symmetry whether the surface keeps the cage's
  * @property {[number, number]} levels Catmull-Clark steps from the cage
  * @property {number} tolerance
  * @property {number} maxIterations per level
@@ -51,6 +52,11 @@
  * @typedef {{obj: string, level: number, evaluations: number}} SavedControl
  */
 
+/**
+ * A certificate that the worker is making: how much of it is done, and whether it was asked to abandon it.
+ * @typedef {{progress: number, abandoning: boolean}} Certifying
+ */
+
 /** @typedef {{title: string, message: string}} Alert */
 
 /**
@@ -70,12 +76,14 @@
  * @property {number} lastRun the largest run number given out
  * @property {number} run whose messages count
  * @property {Settings} runSettings of the run on the screen
+ * @property {Group | null} group the symmetry that it keeps
  * @property {number} levelOffset
  * @property {'pause' | 'cancel' | null} asked and not answered yet
  * @property {Progress | null} progress
  * @property {StopReason | 'interrupted' | null} stop
  * @property {Sample[]} samples
  * @property {LevelReport[]} levels their `level` counts from the cage
+ * @property {Limit | null} limit of the levels so far
  * @property {Measurement | null} first measurement of this run
  * @property {Measurement | null} latest
  * @property {Surface | null} surface
@@ -83,6 +91,8 @@
  * @property {number} fits how often the view was asked to fit the surface
  * @property {boolean} fitDue the next surface is a new cage's
  * @property {boolean} exporting
+ * @property {Certifying | null} certifying
+ * @property {CertificateReport | null} certificate of the surface on the screen; its `level` counts from the cage
  * @property {Alert | null} alert
  * @property {{shading: Shading, cage: boolean, theme: 'light' | 'dark' | 'system'}} view
  */
@@ -95,6 +105,7 @@
  *   | {type: 'weightChanged', functional: FunctionalName, weight: number}
  *   | {type: 'startPressed'} | {type: 'pausePressed'} | {type: 'stepPressed'} | {type: 'cancelPressed'} | {type:
  * 'resetPressed'}
+ *   | {type: 'certifyPressed'} | {type: 'certificateCancelPressed'}
  *   | {type: 'viewChanged', change: Partial<State['view']>}
  *   | {type: 'fitPressed'}
  *   | {type: 'downloadPressed', what: 'control' | 'limit' | 'report'}

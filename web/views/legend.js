@@ -5,7 +5,7 @@
  */
 import { mapGradient } from '../colour/maps.js';
 import { quantities, quantityOf, sampleValues } from '../colour/quantities.js';
-import { calmRange, robustRange } from '../colour/range.js';
+import { calmRange, robustRange, sameRange } from '../colour/range.js';
 import { compact } from '../words/numbers.js';
 import { element, find, setText, whenChanged } from './dom.js';
 
@@ -56,7 +56,9 @@ export function createLegendView(root, dispatch) {
         return;
       }
       const next = robustRange(sampleValues(quantity, surface.limit.curvatures), quantity.signed);
-      range = key === lastKey ? calmRange(range, next) : next;
+      const wanted = key === lastKey ? calmRange(range, next) : next;
+      // The same range stays the same object: to shade anew is to draw anew.
+      if (!range || !sameRange(range, wanted)) range = wanted;
       lastKey = key;
     },
   );

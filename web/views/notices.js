@@ -44,7 +44,8 @@ export function createDownloadsView(root, dispatch) {
     update(state) {
       const [control, limit, report] = buttons;
       setEnabled(control, state.saved !== null);
-      setEnabled(limit, state.surface !== null && !state.exporting && !state.opening && state.status !== 'unavailable');
+      const busy = state.exporting || state.opening || state.certifying || state.status === 'unavailable';
+      setEnabled(limit, state.surface !== null && !busy);
       setEnabled(report, state.latest !== null);
     },
     dispose: () => listening.abort(),

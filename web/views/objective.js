@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The panel that says what is minimized and how: functional or blend, cap, levels, tolerance, and where the next
- * run starts.
+ * @file The panel that says what is minimized and how: functional or blend, cap, symmetry, levels, tolerance, and where
+ * the next run starts.
  */
 import { settingsAreFree } from '../state/reduce.js';
 import { MAX_LEVEL, problemWith } from '../state/settings.js';
 import { caps, functionals } from '../words/functionals.js';
+import { groupWords } from '../words/results.js';
 import { element, find, setText, whenChanged } from './dom.js';
+import { groupSymbol } from './group.js';
 
 /** @import {CapName, FunctionalName} from '../../wasm/types.js' */
 /** @import {Action, Settings, State} from '../state/types.js' */
@@ -33,6 +35,8 @@ export function createObjectiveView(root, dispatch) {
   /** @template {HTMLElement} T @param {string} name @returns {T} */
   const field = (name) => /** @type {T} */ (find(root, `[name=${name}]`));
   const functional = /** @type {HTMLSelectElement} */ (field('functional'));
+  const symmetry = /** @type {HTMLInputElement} */ (field('symmetry'));
+  const group = find(root, '#group');
   const first = /** @type {HTMLSelectElement} */ (field('first'));
   const last = /** @type {HTMLSelectElement} */ (field('last'));
   const tolerance = /** @type {HTMLInputElement} */ (field('tolerance'));
@@ -69,6 +73,8 @@ export function createObjectiveView(root, dispatch) {
     return input;
   });
 
+  onChange(symmetry, () => change({ symmetry: symmetry.checked }));
+
   for (const select of [first, last]) {
     select.append(
       ...Array.from({ length: MAX_LEVEL + 1 }, (_, i) => element('option', { value: String(i) }, String(i))),
@@ -91,6 +97,7 @@ export function createObjectiveView(root, dispatch) {
     }
     for (const input of capInputs) input.checked = input.value === settings.cap;
     setText(find(root, '#cap-words'), caps.find(({ id }) => id === settings.cap)?.meaning ?? '');
+    symmetry.checked = settings.symmetry;
     [first.value, last.value] = settings.levels.map(String);
     if (Number.isFinite(settings.tolerance)) tolerance.value = plainNumber(settings.tolerance);
     if (Number.isFinite(settings.maxIterations)) maxIterations.value = String(settings.maxIterations);
@@ -98,10 +105,17 @@ export function createObjectiveView(root, dispatch) {
     setText(problem, problemWith(settings) ?? '');
   });
 
+  const showGroup = whenChanged((/** @type {State['group']} */ kept, /** @type {boolean} */ wanted) => {
+    const { symbol, words } = groupWords(kept, wanted);
+    group.replaceChildren(...groupSymbol(symbol), words);
+  });
+
   return {
     /** @param {State} state */
     update(state) {
       showSettings(state.settings);
+      // Of a run without symmetry the group is C1, whatever the cage's.
+      showGroup(state.runSettings.symmetry ? state.group : null, state.settings.symmetry);
       fields.disabled = !settingsAreFree(state);
       origin.hidden = state.status !== 'ended' || !state.saved;
     },

@@ -4,12 +4,17 @@
  */
 import { objectiveName, objectiveValue } from '../state/select.js';
 import { functionals, stopWords } from '../words/functionals.js';
-import { duration, significant, whole, withError } from '../words/numbers.js';
+import { counted, duration, significant, whole, withError } from '../words/numbers.js';
+import { metricWords } from '../words/results.js';
 import { element, setText, whenChanged } from './dom.js';
 
-/** @import {Energies} from '../../wasm/types.js' */
+/** @import {Energies, LevelReport} from '../../wasm/types.js' */
 /** @import {Measurement, Settings, State} from '../state/types.js' */
 
+/** Of energies in the table of levels, at most. */
+const LEVEL_DIGITS = 7;
+/** Below this, an integral of the Gaussian curvature is round-off. */
+const ROUND_OFF = 1e-9;
 const DIVERGES = 'Third-order energies are infinite at extraordinary vertices without a cap.';
 
 /**
@@ -69,7 +74,10 @@ function energyRows(settings, now, start) {
     );
   }
   /** @param {Energies | null} energies */
-  const gaussian = (energies) => (energies ? cell(energies.gaussian / (4 * Math.PI), null) : []);
+  const gaussian = (energies) => {
+    const value = energies ? energies.gaussian / (4 * Math.PI) : 0;
+    return energies ? cell(Math.abs(value) < ROUND_OFF ? 0 : value, null) : [];
+  };
   rows.push(
     energyRow('Area A', '∫ dA, in length²', cell(now.area, null), start ? cell(start.area, null) : [], false),
     energyRow('∫ K dA / 4π', '1 − genus, for one component', gaussian(now), gaussian(start), false),
@@ -116,10 +124,24 @@ export function createEnergiesView(root) {
   };
 }
 
+/** To the digits that the quadrature justifies, as far as the column is wide. @param {LevelReport} report */
+function levelEnergy({ energy, energyReported }) {
+  if (Number.isNaN(energyReported)) return 'diverges';
+  const { value } = withError(energyReported, Math.abs(energyReported - energy));
+  return value.length > LEVEL_DIGITS + 1 ? significant(energyReported, LEVEL_DIGITS) : value;
+}
+
+/** @param {LevelReport} report */
+function levelTitle({ unknowns, seconds, metrics, evaluable }) {
+  const facts = [counted(unknowns, 'unknown'), duration(seconds), `metric built ${counted(metrics, 'time')}`];
+  if (!evaluable) facts.push('prepares the first level that is evaluated on its own mesh');
+  return facts.join(', ');
+}
+
 /** @param {HTMLElement} root */
 export function createLevelsView(root) {
   const body = element('tbody');
-  const heads = ['Level', 'Patches', 'Energy', 'Evaluations', 'Ended because'].map((name) =>
+  const heads = ['Level', 'Patches', 'Energy', 'Evaluations', 'Metric', 'Ended'].map((name) =>
     element('th', { scope: 'col' }, name),
   );
   root.append(element('table', { class: 'levels' }, element('thead', {}, element('tr', {}, ...heads)), body));
@@ -129,15 +151,14 @@ export function createLevelsView(root) {
     if (section) section.hidden = !levels.length;
     body.replaceChildren(
       ...levels.map((report) => {
-        const difference = Math.abs(report.energyReported - report.energy);
-        const { value } = withError(report.energyReported, difference);
         return element(
           'tr',
-          { title: `${whole(report.unknowns)} unknowns, ${duration(report.seconds)}` },
+          { title: levelTitle(report) },
           element('td', {}, String(report.level)),
           element('td', {}, whole(report.patches)),
-          element('td', {}, Number.isNaN(report.energyReported) ? 'diverges' : value),
+          element('td', {}, levelEnergy(report)),
           element('td', {}, whole(report.evaluations)),
+          element('td', {}, metricWords[report.metric]),
           element('td', {}, stopWords[report.stop] ?? report.stop),
         );
       }),

@@ -70,16 +70,21 @@ export function tickText(value) {
 }
 
 /**
- * A value and its error bar, both to the digits that the error justifies: one of it, two where it begins with 1 or 2.
+ * A value and its error bar, both to the digits that the error justifies: as many of the error as asked, or one, and two
+ * where it begins with 1 or 2.
  * @param {number} value
  * @param {number} error >= 0
+ * @param {number} [digitsOfError]
  * @returns {{value: string, error: string}}
  */
-export function withError(value, error) {
+export function withError(value, error, digitsOfError) {
   if (!Number.isFinite(value) || !Number.isFinite(error)) return { value: significant(value), error: '' };
   if (!(error > 0)) return { value: significant(value, 8), error: '' };
-  const [leading, exponent] = error.toExponential(0).split('e').map(Number);
-  const digits = leading < 3 ? 2 : 1;
+  const [leading, exponent] = error
+    .toExponential((digitsOfError ?? 1) - 1)
+    .split('e')
+    .map(Number);
+  const digits = digitsOfError ?? (leading < 3 ? 2 : 1);
   const decimals = digits - 1 - exponent;
   const digitsOfValue = value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value))) + 1 + decimals;
   if (decimals < 0 || decimals > 9 || digitsOfValue > 12) {

@@ -22,6 +22,11 @@
  * takes much less.
  */
 export const COMMAND_PATIENCE = 5_000;
+/**
+ * The same after it was asked to abandon a certificate: one step of it takes much less, but for the last, which nothing
+ * else can end.
+ */
+export const ABANDON_PATIENCE = 1_000;
 /** The same while it computes or opens a cage, where single steps of a very large cage take long. */
 export const WORK_PATIENCE = 30_000;
 /** Silence after which it is asked for a sign of life. */
@@ -149,6 +154,10 @@ export function createClient({ createWorker, onMessage, onLost }) {
       if (command.type === 'pause' || command.type === 'cancel') {
         silence = 0;
         patience = COMMAND_PATIENCE;
+      }
+      if (command.type === 'abandonCertificate') {
+        silence = 0;
+        patience = ABANDON_PATIENCE;
       }
       worker.postMessage(command);
       ping();

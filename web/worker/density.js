@@ -7,7 +7,9 @@ export const MOVING_QUADS = 14_000;
 export const RESTING_QUADS = 70_000;
 export const SAVED_QUADS = 200_000;
 
-const MAX_DENSITY = 32;
+/** Quads along each edge of a patch, at most: more are not seen at rest, or while it moves. */
+const RESTING_DENSITY = 32;
+const MOVING_DENSITY = 16;
 
 /**
  * Quads along each edge of a patch, such that the mesh has at most about `quads` quads.
@@ -15,5 +17,6 @@ const MAX_DENSITY = 32;
  * @param {number} quads
  */
 export function densityFor(patches, quads) {
-  return Math.min(MAX_DENSITY, Math.max(1, Math.floor(Math.sqrt(quads / Math.max(1, patches)))));
+  const most = quads > MOVING_QUADS ? RESTING_DENSITY : MOVING_DENSITY;
+  return Math.min(most, Math.max(1, Math.floor(Math.sqrt(quads / Math.max(1, patches)))));
 }

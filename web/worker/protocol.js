@@ -5,7 +5,7 @@
  * until the new one has opened.
  */
 
-/** @import {CageCounts, Energies, LevelReport} from '../../wasm/types.js' */
+/** @import {CageCounts, CertificateReport, Energies, Group, LevelReport, Limit} from '../../wasm/types.js' */
 /** @import {Mesh, MinimizerOptions, Progress, StopReason} from '../../wasm/types.js' */
 
 /**
@@ -18,7 +18,8 @@
  * Reads or makes the cage and shows its surface. Answers `opened`, `surfaced`, `measured`, or `failed`.
  * @typedef {{type: 'open', run: number, source: Source, options: MinimizerOptions}} Open
  *
- * Minimizes until told otherwise. Answers `stepped`, `surfaced`, `saved`, `levelEnded`, at last `ended`.
+ * Minimizes until told otherwise. Answers `stepped`, `surfaced`, `saved`, `levelEnded`, at last `ended`. The first surface
+ * that has moved comes before everything that takes longer than a step.
  * @typedef {{type: 'optimize', run: number}} Optimize
  *
  * One energy evaluation, then `paused`.
@@ -29,16 +30,24 @@
  * Answers `exported` with the limit mesh as OBJ.
  * @typedef {{type: 'export', run: number}} Export
  *
+ * Whether the surface of a run that rests is a minimum among all surfaces near it. Answers `certificateAdvanced`, at
+ * last `certified`, or `failed`; another run drops it.
+ * @typedef {{type: 'certify', run: number}} Certify
+ *
+ * Answers `certificateAbandoned`, unless it is ready.
+ * @typedef {{type: 'abandonCertificate', run: number}} AbandonCertificate
+ *
  * Asks for a sign of life: `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Optimize | Step | Pause | Cancel | Export | Ping} Command
+ * @typedef {Open | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Ping} Command
  */
 
 /**
  * The worker has loaded the core.
  * @typedef {{type: 'started', version: string, cages: string[]}} Started
  *
- * @typedef {{type: 'opened', run: number, counts: CageCounts}} Opened
+ * `group` is the symmetry that the run keeps.
+ * @typedef {{type: 'opened', run: number, counts: CageCounts, group: Group}} Opened
  *
  * The surface as it is now; `evaluations` over all levels so far.
  * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: Mesh, control: Mesh}} Surfaced
@@ -50,7 +59,8 @@
  * level.
  * @typedef {{type: 'stepped', run: number, progress: Progress, samples: Float64Array}} Stepped
  *
- * @typedef {{type: 'levelEnded', run: number, report: LevelReport}} LevelEnded
+ * `limit` is that of the levels so far.
+ * @typedef {{type: 'levelEnded', run: number, report: LevelReport, limit: Limit}} LevelEnded
  * @typedef {{type: 'paused', run: number, progress: Progress}} Paused
  * @typedef {{type: 'ended', run: number, stop: StopReason, progress: Progress}} Ended
  *
@@ -58,12 +68,17 @@
  * @typedef {{type: 'saved', run: number, level: number, evaluations: number, obj: string}} Saved
  *
  * @typedef {{type: 'exported', run: number, obj: string}} Exported
+ *
+ * `progress` is in [0, 1].
+ * @typedef {{type: 'certificateAdvanced', run: number, progress: number}} CertificateAdvanced
+ * @typedef {{type: 'certified', run: number, report: CertificateReport}} Certified
+ * @typedef {{type: 'certificateAbandoned', run: number}} CertificateAbandoned
  * @typedef {{type: 'ponged'}} Ponged
  *
  * `input`: what the user's file or options did wrong. `internal`: the worker is of no further use.
  * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
  * @typedef {Started | Opened | Surfaced | Measured | Stepped | LevelEnded | Paused | Ended | Saved | Exported |
- *   Ponged | Failed} Message
+ *   CertificateAdvanced | Certified | CertificateAbandoned | Ponged | Failed} Message
  */
 
 /** Numbers of one sample in `stepped`. */

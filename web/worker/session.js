@@ -4,7 +4,9 @@
  * and tells the page about it no more often than the page can show. Knows neither workers nor timers: posting, yielding
  * and the clock are given.
  */
+import { createCertification } from './certification.js';
 import { MOVING_QUADS, RESTING_QUADS, SAVED_QUADS, densityFor } from './density.js';
+import { Occasion } from './occasion.js';
 
 /** @import {Cage, Minimizer} from '../../wasm/umbilic.js' */
 /** @import {Command, Message, Open} from './protocol.js' */
@@ -27,33 +29,6 @@ const MEASURE_INTERVAL = 1000;
 const MEASURE_LIMIT = 60;
 /** A measurement takes at most about this many times as long as a step. */
 const MEASURE_STEPS = 8;
-/** No side work may take more than this part of the time. */
-const SIDE_SHARE = 0.25;
-
-/** Something done now and then, at most once per interval and only for a share of the time. */
-class Occasion {
-  #interval;
-  #now;
-  #due = 0;
-
-  /** @param {number} interval @param {() => number} now */
-  constructor(interval, now) {
-    this.#interval = interval;
-    this.#now = now;
-  }
-
-  get due() {
-    return this.#now() >= this.#due;
-  }
-
-  /** @param {() => void} work */
-  do(work) {
-    const start = this.#now();
-    work();
-    const end = this.#now();
-    this.#due = Math.max(start + this.#interval, end + (end - start) / SIDE_SHARE);
-  }
-}
 
 /**
  * @param {Surroundings} surroundings
@@ -63,12 +38,17 @@ export function createSession({ core, post, yieldThen, now }) {
   /** @type {Minimizer | null} */
   let minimizer = null;
   let run = 0;
-  let patches = 0;
   /** @type {'resting' | 'stepping' | 'running'} */
   let pace = 'resting';
   let ticking = false;
+  /** Whether a run that has opened has told nothing more yet. */
+  let introducing = false;
   let levelsTold = 0;
-  let surfaceEvaluations = -1;
+  /** Of the surface that was told last: its level, faces of the mesh that it is evaluated on, and energy, if known. */
+  let told = { level: -1, patches: 0, energy: NaN };
+  /** Whether a surface has been told since the run began or went on. */
+  let shown = false;
+  let firstEnergy = NaN;
   let savedEvaluations = -1;
   let measuredEvaluations = -1;
   /** @type {number[]} */
@@ -80,6 +60,7 @@ export function createSession({ core, post, yieldThen, now }) {
   let stepCost = Infinity;
   /** The level at which a measurement has taken too long. */
   let slowLevel = -1;
+  const certification = createCertification({ post, yieldThen: (task) => yieldThen(() => guard(run, task)) });
 
   /** @returns {Minimizer} */
   function current() {
@@ -96,31 +77,51 @@ export function createSession({ core, post, yieldThen, now }) {
         : core.Cage.generate(source.name, { family: source.family, thickness: source.thickness });
     try {
       const opened = new core.Minimizer(cage, command.options);
+      certification.drop();
       minimizer?.dispose();
       minimizer = opened;
       run = command.run;
       pace = 'resting';
+      introducing = true;
       levelsTold = 0;
-      surfaceEvaluations = -1;
+      told = { level: -1, patches: 0, energy: NaN };
+      firstEnergy = NaN;
       savedEvaluations = -1;
       measuredEvaluations = -1;
       samples = [];
-      post({ type: 'opened', run, counts: cage.counts });
+      surfaceOccasion.postpone();
+      post({ type: 'opened', run, counts: cage.counts, group: opened.group });
     } finally {
       cage.dispose();
     }
-    tellSurface(RESTING_QUADS);
-    tellSaved();
+    yieldThen(() => guard(command.run, () => introduce(command.run)));
+  }
+
+  /**
+   * A cage that rests is shown finely; one that is to be minimized at once is not, because what moves comes sooner.
+   * @param {number} opened
+   */
+  function introduce(opened) {
+    if (!introducing || run !== opened) return;
+    if (pace === 'resting') return tellRest();
     tellEnergies();
+    surfaceOccasion.postpone();
+  }
+
+  /** Faces of the mesh that the surface is evaluated on; the control mesh may be coarser. */
+  function patches() {
+    if (current().progress.level === told.level) return told.patches;
+    return current().limitMesh(1).triangles.length / 6;
   }
 
   /** @param {number} quads */
   function tellSurface(quads) {
+    const { level, energy, totalEvaluations } = current().progress;
+    told = { level, patches: patches(), energy };
+    shown = true;
     const control = current().controlMesh();
-    patches = control.edges.length / 4; // all faces are quads and the mesh is closed
-    const limit = current().limitMesh(densityFor(patches, quads));
-    surfaceEvaluations = current().progress.totalEvaluations;
-    post({ type: 'surfaced', run, evaluations: surfaceEvaluations, limit, control });
+    const limit = current().limitMesh(densityFor(told.patches, quads));
+    post({ type: 'surfaced', run, evaluations: totalEvaluations, limit, control });
   }
 
   function tellSaved() {
@@ -145,6 +146,7 @@ export function createSession({ core, post, yieldThen, now }) {
 
   /** Everything that the page may not have yet, now that the surface rests. */
   function tellRest() {
+    introducing = false;
     tellSurface(RESTING_QUADS);
     tellSaved();
     tellEnergies();
@@ -152,7 +154,8 @@ export function createSession({ core, post, yieldThen, now }) {
 
   function tellLevels() {
     if (current().levelCount === levelsTold) return;
-    for (const report of current().levels.slice(levelsTold)) post({ type: 'levelEnded', run, report });
+    const { levels, limit } = current();
+    for (const report of levels.slice(levelsTold)) post({ type: 'levelEnded', run, report, limit });
     levelsTold = current().levelCount;
     tellEnergies(); // The core has just computed them for its own report.
   }
@@ -164,14 +167,22 @@ export function createSession({ core, post, yieldThen, now }) {
     if (!done) tellOnTheWay();
   }
 
-  /** One thing at a time, so that pause and cancel never wait for two. */
+  /** The first surface that has moved first; then one thing at a time, so that pause and cancel never wait for two. */
   function tellOnTheWay() {
-    const { totalEvaluations: evaluations, level } = current().progress;
+    const { totalEvaluations: evaluations, level, energy } = current().progress;
+    // The first evaluation is that of the surface at rest.
+    if (evaluations === 1) firstEnergy = energy;
+    if (level === told.level && Number.isNaN(told.energy)) told.energy = energy;
+    const moved = level !== told.level || energy < told.energy;
     const quick = stepCost * MEASURE_STEPS < MEASURE_LIMIT && level !== slowLevel;
-    if (saveOccasion.due && evaluations !== savedEvaluations) saveOccasion.do(tellSaved);
-    else if (quick && measureOccasion.due && evaluations !== measuredEvaluations) measureOccasion.do(tellEnergies);
-    else if (surfaceOccasion.due && evaluations !== surfaceEvaluations) {
+    if (moved && (surfaceOccasion.due || (!shown && energy < firstEnergy))) {
       surfaceOccasion.do(() => tellSurface(MOVING_QUADS));
+    } else if (!shown) {
+      return;
+    } else if (saveOccasion.due && evaluations !== savedEvaluations) {
+      saveOccasion.do(tellSaved);
+    } else if (quick && measureOccasion.due && evaluations !== measuredEvaluations) {
+      measureOccasion.do(tellEnergies);
     }
   }
 
@@ -232,9 +243,15 @@ export function createSession({ core, post, yieldThen, now }) {
 
   /** @param {'stepping' | 'running'} newPace */
   function go(newPace) {
+    certification.drop();
     pace = newPace;
     slowLevel = -1;
+    shown = false;
     keepTicking();
+  }
+
+  function certify() {
+    if (pace === 'resting') certification.begin(run, current());
   }
 
   /** @param {Command} command */
@@ -257,7 +274,11 @@ export function createSession({ core, post, yieldThen, now }) {
       case 'cancel':
         return cancel();
       case 'export':
-        return post({ type: 'exported', run, obj: current().limitObj(densityFor(patches, SAVED_QUADS)) });
+        return post({ type: 'exported', run, obj: current().limitObj(densityFor(patches(), SAVED_QUADS)) });
+      case 'certify':
+        return certify();
+      case 'abandonCertificate':
+        return certification.abandon(run);
     }
   }
 

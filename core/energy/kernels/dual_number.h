@@ -42,12 +42,12 @@ struct DualNumber {
   }
   friend DualNumber operator*(const DualNumber& a, double b) { return b * a; }
   friend DualNumber operator/(const DualNumber& a, const DualNumber& b) {
-    const T inverse = 1.0 / b.value, value = a.value * inverse;
-    return combine(value, [&](int i) { return (a.tangent[i] - value * b.tangent[i]) * inverse; });
+    const T inverse = 1.0 / b.value, quotient = a.value * inverse;
+    return combine(quotient, [&](int i) { return (a.tangent[i] - quotient * b.tangent[i]) * inverse; });
   }
   friend DualNumber operator/(double a, const DualNumber& b) {
-    const T inverse = 1.0 / b.value, value = a * inverse, slope = -value * inverse;
-    return combine(value, [&](int i) { return slope * b.tangent[i]; });
+    const T inverse = 1.0 / b.value, quotient = a * inverse, slope = -quotient * inverse;
+    return combine(quotient, [&](int i) { return slope * b.tangent[i]; });
   }
   friend DualNumber sqrt(const DualNumber& a) {
     const T root = umbilic::sqrt(a.value), slope = 0.5 / root;

@@ -12,6 +12,14 @@ namespace {
 
 using Offset = std::ptrdiff_t;
 
+/// Sizes of the tiles, from what measures best: lane vectors of rows by six points, and table columns by three. Their
+/// sums stay in 16 or, with AVX-512, in 32 registers; WebAssembly's compilers need more of them for themselves.
+#ifdef __wasm__
+constexpr int kVectorsBySix = 1, kTall = 2;
+#else
+constexpr int kVectorsBySix = 2, kTall = kLaneCount == 8 ? 8 : 4;
+#endif
+
 /// Rows [row, row + kVectors lanes) of kWide consecutive columns of the product, which starts at `out`.
 template <class L, int kVectors, int kWide>
 void product_tile(const DenseTable& table, int row, const double* points, int width, double* out, int rows) {
@@ -41,13 +49,9 @@ void product_columns(const DenseTable& table, int rows, const double* points, in
   }
 }
 
-/// Table columns at a time in the transposed product: with three points twelve sums, or half of 32 registers' worth.
-constexpr int kTall = kLaneCount == 8 ? 8 : 4;
-
 /// Entries (k, c) of the transposed product for kTall table columns and kWide consecutive points.
 template <int kColumns, int kWide>
 void transposed_tile(const DenseTable& table, int k, int rows, const double* adjoint, int width, double* out) {
-  static_assert(kColumns == 1 || kColumns % 4 == 0);
   ShortLanes sums[kColumns][kWide] = {};
   const double* entries = table.entries + Offset(k) * table.stride;
   for (int row = 0; row < rows; row += kShortLaneCount) {
@@ -60,8 +64,8 @@ void transposed_tile(const DenseTable& table, int k, int rows, const double* adj
   }
   out += Offset(k) * width;
   for (int c = 0; c < kWide; ++c) {
-    if constexpr (kColumns == 1) {
-      out[c] = sum_lanes(sums[0][c]);
+    if constexpr (kColumns % 4 != 0) {
+      for (int i = 0; i < kColumns; ++i) out[Offset(i) * width + c] = sum_lanes(sums[i][c]);
     } else {
       for (int i = 0; i < kColumns; i += 4) {
         double totals[4];
@@ -85,7 +89,8 @@ void transposed_columns(const DenseTable& table, int rows, const double* adjoint
 
 void dense_product(const DenseTable& table, int rows, const double* points, int width, double* out) {
   int c = 0;
-  for (; c + 6 <= width; c += 6) product_columns<2, 6>(table, rows, points + c, width, out + Offset(c) * rows);
+  for (; c + 6 <= width; c += 6)
+    product_columns<kVectorsBySix, 6>(table, rows, points + c, width, out + Offset(c) * rows);
   for (; c + 3 <= width; c += 3) product_columns<2, 3>(table, rows, points + c, width, out + Offset(c) * rows);
   for (; c + 2 <= width; c += 2) product_columns<4, 2>(table, rows, points + c, width, out + Offset(c) * rows);
   if (c < width) product_columns<4, 1>(table, rows, points + c, width, out + Offset(c) * rows);

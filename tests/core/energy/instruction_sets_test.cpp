@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/each_instruction_set.h"
+#include "energy/energy_hessian.h"
 #include "energy/surface_energy.h"
 #include "mesh/rough_cages.h"
 
@@ -67,6 +68,34 @@ TEST(InstructionSets, agree_on_all_integrals_with_every_cap) {
       EXPECT_NEAR(value.area / expected.area, 1, 1e-13);
       EXPECT_NEAR(value.gaussian, expected.gaussian, 1e-11 * 4 * 3.15);
     });
+  }
+}
+
+/// The lower triangle of a patch's matrix, and zeros.
+Eigen::MatrixXd lower_triangle(const double* block, int columns) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::Map<const RowMajor> matrix(block, 3 * columns, 3 * columns);
+  return matrix.triangularView<Eigen::Lower>();
+}
+
+TEST(InstructionSets, agree_on_second_derivatives_with_every_functional_and_cap) {
+  for (const CapKind cap : kAllCaps) {
+    const Refined mesh = rough(trapezohedron(5), 2, 0.01, 8);
+    const PatchLayout layout(mesh.mesh, cap);
+    const QuadratureRule rule{3, 4, 1};
+    const JetEvaluator jets(layout, rule);
+    for (const Weights& weights : all_weights()) {
+      EnergyHessian hessian(layout, rule, weights);
+      hessian.move_to(mesh.control, SurfaceEnergy(jets, weights).evaluate(mesh.control, nullptr));
+      for (int s = 0; s < static_cast<int>(layout.sets().size()); ++s) {
+        Eigen::MatrixXd expected;
+        with_each_instruction_set([&](InstructionSet set) {
+          const Eigen::MatrixXd matrix = lower_triangle(hessian.patch(s, 0), hessian.columns(s));
+          if (set == InstructionSet::kPortable) expected = matrix;
+          EXPECT_LT((matrix - expected).norm(), 1e-11 * expected.norm()) << kInstructionSetNames[static_cast<int>(set)];
+        });
+      }
+    }
   }
 }
 

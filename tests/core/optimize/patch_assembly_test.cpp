@@ -54,7 +54,8 @@ Eigen::VectorXd hessian_times(const PatchLayout& layout, const Weights& weights,
   const PatchAssembly assembly(layout, Coordinates(layout.control_count()));
   std::vector<double> values(assembly.nonzeros(), 0.0);
   for (int s = 0; s < static_cast<int>(layout.sets().size()); ++s) {
-    for (int p = 0; p < layout.sets()[s].count(); ++p) assembly.add(s, p, hessian.patch(s, p), hessian.columns(s), values);
+    for (int p = 0; p < layout.sets()[s].count(); ++p)
+      assembly.add(s, p, hessian.patch(s, p), hessian.columns(s), values);
   }
   const Eigen::SparseMatrix<double> lower = assembly.lower(values);
   Eigen::VectorXd product = lower.selfadjointView<Eigen::Lower>() * direction;

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the page says of a result: the symmetry that was kept, the limit with its error bar, and the certificate;
+ * by mouse and by keyboard.
+ */
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { launchBrowser } from './browser.js';
+import { builtPage, measured, openPage, screenshots, status } from './page.js';
+import { serve } from './site.js';
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** @type {import('playwright-core').Browser} */
+let browser;
+/** @type {{url: string, close: () => Promise<void>}} */
+let site;
+
+beforeAll(async () => {
+  [site, browser] = await Promise.all([serve(builtPage), launchBrowser()]);
+});
+
+afterAll(async () => {
+  await browser?.close();
+  await site?.close();
+});
+
+/** @param {Page} page @param {string} shape @param {string} functional */
+async function choose(page, shape, functional) {
+  await page.locator('[name=shape]').selectOption(shape);
+  await page.locator('[name=functional]').selectOption(functional);
+  await page.locator('#energies .objective').waitFor();
+}
+
+/** @param {Page} page */
+async function minimize(page) {
+  await page.locator('#primary').click();
+  await status(page, /^(Converged|Round-off)/, 60_000);
+}
+
+/** @param {Page} page */
+const certify = (page) => page.getByRole('button', { name: 'Certify' });
+/** @param {Page} page */
+const answer = (page) => page.locator('#certificate [role=status]');
+
+describe('symmetry', () => {
+  test('is named, is kept unless it is switched off by the keyboard, and leaves fewer unknowns', async () => {
+    const { page, errors } = await openPage(browser, site.url);
+    const keep = page.getByRole('switch', { name: 'Keep symmetry' });
+    const group = page.locator('#group');
+    expect(await keep.isChecked()).toBe(true);
+    expect(await group.textContent()).toBe('D3h, order 12');
+    expect(await group.locator('sub').textContent()).toBe('3h');
+    await choose(page, 'torus', 'bending');
+    await group.filter({ hasText: 'D6h, order 24' }).waitFor();
+    await page.locator('[name=last]').selectOption('0');
+    await measured(page);
+
+    const unknowns = [];
+    for (const expected of [true, false]) {
+      expect(await keep.isChecked()).toBe(expected);
+      await minimize(page);
+      const title = await page.locator('#levels tbody tr').first().getAttribute('title');
+      unknowns.push(Number(/(\d+) unknowns/.exec(title ?? '')?.[1]));
+      await page.getByRole('button', { name: 'Reset' }).click();
+      await status(page, /^Ready/);
+      if (!expected) break;
+      await keep.focus();
+      await page.keyboard.press('Space');
+      await page.locator('#group:empty').waitFor({ state: 'attached' });
+      await measured(page);
+    }
+    expect(unknowns[1]).toBe(3 * 48);
+    expect(unknowns[0]).toBeLessThan(unknowns[1] / 12);
+    expect(await page.getByRole('switch', { name: 'Keep symmetry', disabled: true }).count()).toBe(0);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  }, 60_000);
+});
+
+describe('the limit', () => {
+  test('has an error bar where the levels converge, and the energies that they converge to within it', async () => {
+    const { page } = await openPage(browser, site.url);
+    await choose(page, 'torus', 'bending');
+    await minimize(page);
+    const text = await page.locator('#limit').innerText();
+    const [value, error] = text.match(/[\d.]+/g)?.map(Number) ?? [];
+    expect(text).toMatch(/^Limit \d+\.\d+ ± 0\.00\d\d, observed order \d\.\d$/);
+    expect(Math.abs(value - 8 * Math.PI ** 2)).toBeLessThanOrEqual(error); // Clifford's torus
+    const metrics = await page.locator('#levels tbody td:nth-child(5)').allInnerTexts();
+    expect(metrics).toEqual(['Hessian', 'Hessian', 'Hessian']);
+    await page.context().close();
+  }, 60_000);
+
+  test('asks for one more level where there are two', async () => {
+    const { page } = await openPage(browser, site.url);
+    await choose(page, 'torus', 'bending');
+    await page.locator('[name=last]').selectOption('1');
+    await measured(page);
+    await minimize(page);
+    expect(await page.locator('#limit').innerText()).toBe('One more level gives an error bar.');
+    await page.context().close();
+  }, 60_000);
+});
+
+describe('a certificate', () => {
+  test('is given by the keyboard, of a minimum and of what is one only within its symmetry, and is in the report', async () => {
+    const { page, errors } = await openPage(browser, site.url);
+    expect(await certify(page).getAttribute('aria-disabled')).toBe('true');
+    await page.locator('[name=last]').selectOption('1');
+    await measured(page);
+    await minimize(page);
+    await certify(page).focus();
+    await page.keyboard.press('Enter');
+    await answer(page).filter({ hasText: 'lower' }).waitFor();
+    expect(await answer(page).textContent()).toMatch(
+      /^\d+ directions lower the energy: a minimum only within its symmetry \(D3h\)\. 282 unknowns, τ\s=\s0\.001$/,
+    );
+    expect(await certify(page).getAttribute('aria-disabled')).toBe('true');
+    expect(await page.evaluate(() => document.activeElement?.textContent)).toBe('Certify');
+    await page.screenshot({ path: path.join(screenshots, 'certified.png'), fullPage: true });
+
+    const [saved] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Report' }).click(),
+    ]);
+    const report = JSON.parse(readFileSync(await saved.path(), 'utf8'));
+    expect(report).toMatchObject({
+      group: { name: 'D3h', order: 12 },
+      extrapolated: { status: 'too_few_levels', order: null, error: null },
+      certificate: { level: 1, unknowns: 282, gauge: 7, tau: 0.001 },
+      levels: [{ metric: 'hessian' }, { metric: 'hessian' }],
+    });
+    expect(report.certificate.negative).toBeGreaterThan(0);
+
+    await choose(page, 'cube', 'bending');
+    await page.locator('#certificate [role=status]:empty').waitFor({ state: 'attached' });
+    await minimize(page);
+    await certify(page).click();
+    await answer(page).filter({ hasText: 'A local minimum among all surfaces near it.' }).waitFor();
+    expect(errors).toEqual([]);
+    await page.context().close();
+  }, 60_000);
+
+  test('is cancelled while it is made; the surface stays as it is', async () => {
+    const { page, errors } = await openPage(browser, site.url);
+    await page.locator('[name=functional]').selectOption('bending');
+    await page.locator('[name=last]').selectOption('3');
+    await measured(page);
+    await minimize(page);
+    const [told, table] = [await page.locator('#status').innerText(), await page.locator('#energies').innerText()];
+    await certify(page).click();
+    await page.getByRole('progressbar', { name: 'Certificate' }).waitFor();
+    expect(await page.getByRole('button', { name: 'Limit mesh' }).getAttribute('aria-disabled')).toBe('true');
+    await page.locator('#certificate').getByRole('button', { name: 'Cancel' }).click();
+    await certify(page).waitFor();
+    expect(await page.getByRole('progressbar', { name: 'Certificate' }).count()).toBe(0);
+    expect(await answer(page).textContent()).toBe('');
+    await page.locator('#certificate button:not([aria-disabled=true])').waitFor();
+    expect(await page.locator('#status').innerText()).toBe(told);
+    expect(await page.locator('#energies').innerText()).toBe(table);
+    expect(await page.locator('#alert').isVisible()).toBe(false);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  }, 60_000);
+
+  test('that cannot be given says why', async () => {
+    const { page } = await openPage(browser, site.url);
+    await choose(page, 'cube', 'bending');
+    await page.getByLabel('Flat').check();
+    await page.locator('[name=last]').selectOption('1');
+    await measured(page);
+    await page.locator('#primary').click();
+    await status(page, / after \d/, 60_000);
+    await certify(page).click();
+    await page.locator('#alert').filter({ hasText: 'There is no certificate' }).waitFor();
+    expect(await page.locator('#alert').innerText()).toMatch(/cap flat/);
+    await page.context().close();
+  }, 60_000);
+});

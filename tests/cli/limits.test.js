@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What a run says beyond its energies: the symmetry that it keeps, its metric, the limit of its levels and its
+ * certificate.
+ */
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { jsonOf, outputOf, scratchFolder, start, umbilic } from './program.js';
+
+const scratch = scratchFolder();
+afterAll(scratch.dispose);
+
+beforeAll(() => {
+  outputOf(['cage', 'two-3', '-o', 'frame.obj'], scratch);
+  outputOf(['cage', 'torus', '-o', 'torus.obj'], scratch);
+  outputOf(['cage', 'tetrahedron-frame', '-o', 'tetrahedron.obj'], scratch);
+  outputOf(['cage', 'dodecahedron-frame', '-o', 'large.obj'], scratch);
+});
+
+/** @param {string} line @returns {any} the report of a run */
+const reportOf = (line) => jsonOf(`optimize ${line} -q --report -`.split(' '), scratch);
+
+/** @param {string} line @returns {string} the table of a run */
+const tableOf = (line) => outputOf(`optimize ${line} -q`.split(' '), scratch);
+
+describe('symmetry', () => {
+  test('is kept and named, and leaves few unknowns', () => {
+    const { group, levels } = reportOf('frame.obj --functional bending --levels 0..1');
+    expect(group).toEqual({ name: 'D3h', order: 12 });
+    expect(levels.map((/** @type {any} */ l) => l.unknowns)).toEqual([8, 29]);
+  });
+
+  test('is given up with --no-symmetry, which changes no energy of a minimizer that has it', () => {
+    const line = 'torus.obj --functional bending --levels 1';
+    const kept = reportOf(line);
+    const free = reportOf(`${line} --no-symmetry`);
+    expect(kept.group).toEqual({ name: 'D6h', order: 24 });
+    expect(free.group).toEqual({ name: 'C1', order: 1 });
+    expect(free.levels[0].unknowns).toBe(3 * 192);
+    for (const { energies } of [kept, free]) {
+      expect(Math.abs(energies.bending / (8 * Math.PI ** 2) - 1)).toBeLessThan(1e-4); // of splines with 192 patches
+    }
+  });
+});
+
+describe('--metric', () => {
+  test.each([
+    ['auto', 'hessian'],
+    ['hessian', 'hessian'],
+    ['sobolev', 'sobolev'],
+    ['identity', 'identity'],
+  ])('%s is reported as %s', (option, name) => {
+    const line = `frame.obj --functional bending --levels 0 --max-iterations 30 --metric ${option}`;
+    const [level] = reportOf(line).levels;
+    expect(level.metric).toBe(name);
+    if (name === 'identity') expect(level.metrics).toBe(0);
+    else expect(level.metrics).toBeGreaterThan(0);
+    expect(tableOf(line)).toMatch(new RegExp(`^ +0 .*  ${name} +\\w+$`, 'm'));
+  });
+});
+
+describe('the limit', () => {
+  test('of levels that converge is their energy with an error that holds the true one', () => {
+    const line = 'torus.obj --functional bending --levels 0..2';
+    const { extrapolated } = reportOf(line);
+    expect(extrapolated).toEqual({
+      status: 'converging',
+      energy: expect.any(Number),
+      order: expect.any(Number),
+      error: expect.any(Number),
+    });
+    expect(Math.abs(extrapolated.energy - 8 * Math.PI ** 2)).toBeLessThan(extrapolated.error);
+    const [, energy, error, order] =
+      /^extrapolated (\S+) \+- (\S+) \(observed order (\S+)\)$/m.exec(tableOf(line)) ?? [];
+    expect(Math.abs(Number(energy) - extrapolated.energy)).toBeLessThan(extrapolated.error / 10);
+    expect(Math.abs(Number(error) / extrapolated.error - 1)).toBeLessThan(0.1);
+    expect(Number(order)).toBeCloseTo(extrapolated.order, 1);
+  });
+
+  test.each([
+    ['frame.obj --functional bending --levels 0..1', 'too_few_levels', 'too few levels; three are needed'],
+    [
+      'frame.obj --functional bending --levels 0..2 --max-iterations 3',
+      'not_minimized',
+      'one of the last three levels did not converge',
+    ],
+    [
+      'frame.obj --functional mvs --levels 0..2',
+      'not_converging',
+      /not extrapolated: [\d.]+ is an upper bound, the levels do not converge/,
+    ],
+  ])('of "%s" is %s', (line, status, words) => {
+    const { extrapolated, levels } = reportOf(line);
+    expect(extrapolated).toMatchObject({ status, energy: levels.at(-1).energy_reported, error: null });
+    const table = tableOf(line);
+    if (typeof words === 'string') expect(table).toContain(`\nnot extrapolated: ${words}\n`);
+    else expect(table).toMatch(words);
+  });
+});
+
+describe('--certify', () => {
+  test('finds a minimum', () => {
+    const line = 'frame.obj --functional bending --levels 0..2 --certify';
+    const report = reportOf(line);
+    expect(Object.keys(report).slice(-2)).toEqual(['levels', 'certificate']);
+    expect(report.certificate).toEqual({ level: 2, unknowns: 1146, gauge: 10, tau: 0.001, negative: 0 });
+    expect(tableOf(line)).toContain(
+      '\ncertificate: a local minimum among all surfaces near it (1146 unknowns, 10 gauge directions, tau 0.001)\n',
+    );
+  });
+
+  test('finds directions that leave the symmetry', () => {
+    const line = 'tetrahedron.obj --functional bending --levels 0..2 --certify';
+    expect(reportOf(line).certificate).toMatchObject({ negative: 2, unknowns: 2292 });
+    expect(tableOf(line)).toContain(
+      '\ncertificate: 2 directions lower the energy: a minimum only within its symmetry Td (2292 unknowns, ',
+    );
+  });
+
+  test('tells one direction in the singular, and where there is no symmetry speaks of none', () => {
+    const line = 'torus.obj --functional bending --levels 0..1 --certify';
+    expect(tableOf(line)).toContain('\ncertificate: 1 direction lowers the energy: a minimum only within its symmetry');
+    expect(tableOf(`${line} --no-symmetry --max-iterations 0`)).toMatch(
+      /^certificate: \d+ directions lower the energy: no minimum \(576 /m,
+    );
+  });
+
+  test('removes no conformal maps where a functional is not invariant under them', () => {
+    const { certificate } = reportOf('frame.obj --functional mvs_cross --levels 0 --certify');
+    expect(certificate).toMatchObject({ gauge: 7, unknowns: 66 });
+  });
+
+  test('of flat caps ends with 3 after all results are written', () => {
+    const line = 'optimize frame.obj --functional bending --levels 0 --cap flat -q --certify --report flat.json';
+    const { code, out, err } = umbilic(line.split(' '), { folder: scratch.folder });
+    expect(code).toBe(3);
+    expect(err).toBe("umbilic: no certificate with cap flat: its second derivatives take the caps' normals as fixed\n");
+    expect(out).toContain('energies of the last level');
+    const report = JSON.parse(scratch.read('flat.json'));
+    expect(report.certificate).toBeUndefined();
+    expect(report.levels).toHaveLength(1);
+  });
+
+  test('is left out after Ctrl-C', async () => {
+    const line = 'optimize large.obj --functional mvs_cross --levels 0..4 --certify --report cut.json';
+    const running = start(line.split(' '), scratch.folder);
+    await running.says(/^level 0: .*\n/);
+    running.child.kill('SIGINT');
+    expect(await running.ended).toEqual({ code: 0, signal: null });
+    const report = JSON.parse(scratch.read('cut.json'));
+    expect(report.levels.at(-1).stop).toBe('cancelled');
+    expect(report.certificate).toBeUndefined();
+  });
+});

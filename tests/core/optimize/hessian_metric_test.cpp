@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The Hessian as a metric: the inverse of a dense matrix, positive definite wherever it is built, and what the
+/// invariance of energies says about the Hessian in it.
+#include "optimize/hessian_metric.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+
+#include "cage/generate.h"
+#include "mesh/rough_cages.h"
+#include "optimize/dense_assembly.h"
+
+namespace umbilic::test {
+namespace {
+
+constexpr QuadratureRule kRule{3, 4, 1};
+constexpr CapKind kCap = CapKind::kSmooth;
+
+Weights only(int functional) {
+  Weights weights{};
+  weights[functional] = 1;
+  return weights;
+}
+
+template <class Parts>
+void finish(Parts& parts, const Points& control) {
+  parts.begin(control);
+  while (!parts.advance()) {
+  }
+}
+
+/// H + u v^T + v u^T + mu S.
+Eigen::MatrixXd dense(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
+                      const Points& control, double mu) {
+  HessianAssembly assembly(layout, unknowns, weights, kRule);
+  finish(assembly, control);
+  Eigen::MatrixXd matrix = full(assembly.combine(1, mu));
+  if (assembly.factors().cols() == 2) {
+    const Eigen::VectorXd u = assembly.factors().col(0), v = assembly.factors().col(1);
+    matrix += u * v.transpose() + v * u.transpose();
+  }
+  return matrix;
+}
+
+Eigen::MatrixXd inverse_of(const HessianMetric& metric, Eigen::Index count) {
+  Eigen::MatrixXd inverse(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) inverse.col(i) = metric.solve(Eigen::VectorXd::Unit(count, i));
+  return inverse;
+}
+
+/// A surface without symmetry, all coordinates free or those of its symmetric neighbours.
+struct Surface {
+  PolygonMesh mesh;
+  Points control;
+  PatchLayout layout;
+  Unknowns unknowns;
+};
+
+Surface rough_surface(const Cage& cage, int level, double amount, unsigned seed) {
+  const Refined r = rough(cage, level, amount, seed);
+  return {r.mesh, r.control, PatchLayout(r.mesh, kCap), Unknowns(Coordinates(r.mesh.vertex_count()))};
+}
+
+Surface symmetric_surface(const Cage& cage) {
+  const PolygonMesh coarse(cage);
+  const SymmetryGroup group = umbilic::refined(find_symmetry(coarse, cage.vertices), coarse);
+  const Refined r = refined(cage, 1);
+  const PatchLayout layout(r.mesh, kCap, face_orbits(r.mesh, group));
+  return {r.mesh, r.control, layout, Unknowns(Coordinates(r.mesh, group))};
+}
+
+TEST(HessianMetric, solve_is_the_inverse_of_hessian_plus_rank_two_term_plus_mu_sobolev) {
+  for (const Surface& s :
+       {rough_surface(cube(), 1, 0.05, 1), symmetric_surface(*generate_cage("two-3")),
+        rough_surface(*generate_cage("torus", {.major_segments = 4, .minor_segments = 3}), 0, .05, 2)}) {
+    for (const Weights& weights : {only(kBending), only(kMvsCross), Weights{1, 0, 0, 0.01, 0, 0}}) {
+      HessianMetric metric(s.layout, s.unknowns, weights, kRule);
+      finish(metric, s.control);
+      const Eigen::MatrixXd matrix = dense(s.layout, s.unknowns, weights, s.control, metric.mu());
+      const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(matrix.rows(), matrix.rows());
+      // Condition numbers reach 1e6.
+      EXPECT_LT((matrix * inverse_of(metric, matrix.rows()) - identity).norm(), 1e-8 * identity.norm());
+    }
+  }
+}
+
+TEST(HessianMetric, is_positive_definite_from_every_rough_start_because_mu_rises_until_it_is) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    for (const double amount : {0.02, 0.2, 0.5}) {
+      const Surface s = rough_surface(trapezohedron(5), 1, amount, seed);
+      for (const int functional : {int(kBending), int(kMvs), int(kMvsCross)}) {
+        SCOPED_TRACE(std::string(kFunctionalNames[functional]) + " moved by " + std::to_string(amount));
+        HessianMetric metric(s.layout, s.unknowns, only(functional), kRule);
+        finish(metric, s.control);
+        const auto definite = [&](double mu) {
+          const Eigen::MatrixXd matrix = dense(s.layout, s.unknowns, only(functional), s.control, mu);
+          return Eigen::LLT<Eigen::MatrixXd>(matrix).info() == Eigen::Success;
+        };
+        EXPECT_GE(metric.mu(), 0.99e-2);
+        if (metric.mu() > 1.01e-2) {
+          EXPECT_FALSE(definite(metric.mu() / 10)) << "mu " << metric.mu();
+        }
+        const Eigen::VectorXd g = Random(seed).matrix<Eigen::VectorXd>(s.unknowns.count(), 1);
+        EXPECT_GT(g.dot(metric.solve(g)), 0);
+        // Folded surfaces, with energies of 1e15, may have no such mu: then it is the identity.
+        EXPECT_TRUE(definite(metric.mu()) || metric.solve(g) == g) << "mu " << metric.mu();
+      }
+    }
+  }
+}
+
+TEST(HessianMetric, can_be_built_again_at_other_surfaces_as_if_it_were_new_but_for_a_falling_mu) {
+  const Surface a = rough_surface(trapezohedron(5), 1, 0.5, 1), b = rough_surface(trapezohedron(5), 1, 0.02, 2);
+  const Weights weights = only(kMvsCross);
+  HessianMetric metric(a.layout, a.unknowns, weights, kRule);
+  finish(metric, a.control);
+  const double first = metric.mu();
+  finish(metric, b.control);
+  const double second = metric.mu();
+  EXPECT_GE(second, 0.0999 * first);
+  const Eigen::MatrixXd matrix = dense(b.layout, b.unknowns, weights, b.control, second);
+  const Eigen::VectorXd x = Random(9).matrix<Eigen::VectorXd>(matrix.rows(), 1);
+  EXPECT_LT((metric.solve(matrix * x) - x).norm(), 1e-8 * x.norm());
+  // It falls by a factor each time, as far as the matrix stays positive definite.
+  for (int i = 0; i < 3; ++i) finish(metric, b.control);
+  EXPECT_LE(metric.mu(), second * 1.001);
+  EXPECT_GE(metric.mu(), 0.99e-6);
+}
+
+TEST(HessianMetric, knows_the_hessian) {
+  const Surface s = rough_surface(cube(), 1, 0.05, 1);
+  const HessianMetric metric(s.layout, s.unknowns, only(kBending), kRule);
+  EXPECT_EQ(metric.name(), "hessian");
+  EXPECT_TRUE(metric.knows_hessian());
+}
+
+/// Energies have degree 0 in the control points, gradients -1: Euler's theorem. At a minimizer the scale is free.
+TEST(HessianAssembly, with_its_rank_two_term_maps_the_control_points_to_minus_the_gradient) {
+  const Surface s = rough_surface(*generate_cage("two-3"), 1, 0.05, 3);
+  const JetEvaluator jets(s.layout, kRule);
+  for (int f = 0; f < kFunctionalCount; ++f) {
+    Points gradient;
+    SurfaceEnergy(jets, only(f)).evaluate(s.control, &gradient);
+    const Eigen::MatrixXd matrix = dense(s.layout, s.unknowns, only(f), s.control, 0);
+    const Eigen::VectorXd x = s.control.reshaped<Eigen::RowMajor>(), g = gradient.reshaped<Eigen::RowMajor>();
+    EXPECT_LT((matrix * x + g).norm(), 1e-9 * g.norm()) << kFunctionalNames[f];
+  }
+}
+
+TEST(HessianAssembly, maps_translations_to_zero_and_rotations_to_the_turned_gradient) {
+  const Surface s = rough_surface(*generate_cage("two-3"), 1, 0.05, 3);
+  const JetEvaluator jets(s.layout, kRule);
+  for (const int f : {int(kBending), int(kMvsCross)}) {
+    Points gradient;
+    SurfaceEnergy(jets, only(f)).evaluate(s.control, &gradient);
+    const Eigen::MatrixXd matrix = dense(s.layout, s.unknowns, only(f), s.control, 0);
+    for (int axis = 0; axis < 3; ++axis) {
+      Points shift = Points::Zero(s.control.rows(), 3), turn = shift, turned = shift;
+      shift.col(axis).setOnes();
+      for (Eigen::Index v = 0; v < turn.rows(); ++v) {
+        turn.row(v) = Vector3::Unit(axis).cross(Vector3(s.control.row(v))).transpose();
+        turned.row(v) = Vector3::Unit(axis).cross(Vector3(gradient.row(v))).transpose();
+      }
+      EXPECT_LT((matrix * shift.reshaped<Eigen::RowMajor>()).norm(), 1e-9 * matrix.norm());
+      EXPECT_LT((matrix * turn.reshaped<Eigen::RowMajor>() - turned.reshaped<Eigen::RowMajor>()).norm(),
+                1e-9 * gradient.norm());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace umbilic::test

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Assembled matrices against dense sums of the patches' matrices, whatever the patches' points depend on.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "cage/generate.h"
+#include "mesh/rough_cages.h"
+#include "optimize/dense_assembly.h"
+#include "optimize/patch_assembly.h"
+
+namespace umbilic::test {
+namespace {
+
+/// A mesh with coordinates of its points, of which every patch is evaluated or one for each orbit.
+struct Case {
+  std::string name;
+  PolygonMesh mesh;
+  Coordinates coordinates;
+  PatchLayout layout;
+};
+
+Case free_case(const std::string& name, const Refined& refined, CapKind cap) {
+  return {name, refined.mesh, Coordinates(refined.mesh.vertex_count()), PatchLayout(refined.mesh, cap)};
+}
+
+Case symmetric_case(const std::string& name, const Cage& cage, int level, CapKind cap) {
+  PolygonMesh mesh(cage);
+  SymmetryGroup group = find_symmetry(mesh, cage.vertices);
+  for (int i = 0; i < level; ++i) {
+    group = umbilic::refined(group, mesh);
+    mesh = catmull_clark(mesh).mesh;
+  }
+  return {name, mesh, Coordinates(mesh, group), PatchLayout(mesh, cap, face_orbits(mesh, group))};
+}
+
+std::vector<Case> cases() {
+  const Cage small_torus = *generate_cage("torus", {.major_segments = 3, .minor_segments = 3});
+  std::vector<Case> all;
+  // The 16 points of a patch are 9: some are met twice, and some four times.
+  all.push_back(free_case("torus of 3 x 3 quads", refined(small_torus, 0), CapKind::kSmooth));
+  all.push_back(free_case("torus of 6 x 6 quads", refined(small_torus, 1), CapKind::kSmooth));
+  all.push_back(symmetric_case("symmetric torus of 3 x 3 quads", small_torus, 0, CapKind::kSmooth));
+  for (const CapKind cap : {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth}) {
+    all.push_back(free_case("trapezohedron", refined(trapezohedron(5), 1), cap));
+    all.push_back(symmetric_case("symmetric trapezohedron", trapezohedron(5), 2, cap));
+  }
+  // Patches of one cap meet the points of a net around a corner twice.
+  all.push_back(free_case("cube, rings that overlap", refined(cube(), 1), CapKind::kSmooth));
+  all.push_back(free_case("cube, two rings", refined(cube(), 2), CapKind::kSmooth));
+  all.push_back(symmetric_case("symmetric cube", cube(), 2, CapKind::kSmooth));
+  return all;
+}
+
+/// Entries that must not be read are not finite.
+constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
+
+TEST(PatchAssembly, of_blocks_is_the_sum_of_the_patches_matrices_times_their_multiplicities) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    const Eigen::MatrixXd b(c.coordinates.matrix());
+    const PatchAssembly assembly(c.layout, c.coordinates);
+    std::vector<double> values(assembly.nonzeros(), 0.0);
+    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(b.cols(), b.cols());
+    Random random(3);
+    for_each_patch(c.layout, [&](int s, int p) {
+      const PatchSet& set = c.layout.sets()[s];
+      const int columns = set.columns, padded = columns + 3;
+      const Eigen::MatrixXd any = random.matrix<Eigen::MatrixXd>(3 * columns, 3 * columns);
+      const Eigen::MatrixXd block = any + any.transpose();
+      std::vector<double> given(static_cast<std::size_t>(9) * padded * padded, kUnread);
+      for (int e = 0; e < 3; ++e) {
+        for (int f = 0; f <= e; ++f) {
+          for (int i = 0; i < columns; ++i) {
+            for (int j = 0; j < (e == f ? i + 1 : columns); ++j) {
+              given[(e * padded + i) * 3 * padded + f * padded + j] = block(e * columns + i, f * columns + j);
+            }
+          }
+        }
+      }
+      assembly.add(s, p, given.data(), padded, values);
+      const Eigen::MatrixXd whole = over_control(block, local_points(c.layout, s, p));
+      expected += set.multiplicities[p] * b.transpose() * whole * b;
+    });
+    ASSERT_EQ(assembly.size(), c.coordinates.count());
+    EXPECT_LT((full(assembly.lower(values)) - expected).norm(), 1e-13 * expected.norm());
+  }
+}
+
+TEST(PatchAssembly, of_scalar_blocks_is_that_of_the_same_block_for_each_coordinate) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    const Eigen::MatrixXd b(c.coordinates.matrix());
+    const PatchAssembly assembly(c.layout, c.coordinates), scalar(c.layout);
+    std::vector<double> values(assembly.nonzeros(), 0.0), scalar_values(scalar.nonzeros(), 0.0);
+    const int count = c.layout.control_count();
+    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(count, count);
+    Random random(4);
+    for_each_patch(c.layout, [&](int s, int p) {
+      const PatchSet& set = c.layout.sets()[s];
+      Eigen::MatrixXd block = random.matrix<Eigen::MatrixXd>(set.columns, set.columns);
+      block = (block + block.transpose()).eval();
+      const Eigen::MatrixXd local = local_points(c.layout, s, p);
+      expected += set.multiplicities[p] * local.transpose() * block * local;
+      block.triangularView<Eigen::StrictlyUpper>().setConstant(kUnread);
+      assembly.add_scalar(s, p, block, values);
+      scalar.add_scalar(s, p, block, scalar_values);
+    });
+    EXPECT_LT((full(scalar.lower(scalar_values)) - expected).norm(), 1e-13 * expected.norm());
+    Eigen::MatrixXd three = Eigen::MatrixXd::Zero(3 * count, 3 * count);
+    for (int i = 0; i < count; ++i) {
+      for (int j = 0; j < count; ++j) three.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(expected(i, j));
+    }
+    const Eigen::MatrixXd reduced = b.transpose() * three * b;
+    EXPECT_LT((full(assembly.lower(values)) - reduced).norm(), 1e-13 * reduced.norm());
+  }
+}
+
+TEST(PatchAssembly, adds_to_the_values_and_its_pattern_holds_each_entry_of_the_lower_triangle_once_in_order) {
+  for (const Case& c : cases()) {
+    const PatchAssembly assembly(c.layout, c.coordinates);
+    std::vector<double> values(assembly.nonzeros(), 1.0);
+    const Eigen::SparseMatrix<double> ones = assembly.lower(values);
+    for (int column = 0; column < ones.outerSize(); ++column) {
+      int previous = column - 1;
+      for (Eigen::SparseMatrix<double>::InnerIterator it(ones, column); it; ++it) {
+        if (previous < column) {
+          EXPECT_EQ(it.row(), column) << "the diagonal comes first";
+        }
+        EXPECT_GT(it.row(), previous);
+        previous = static_cast<int>(it.row());
+      }
+      EXPECT_GE(previous, column) << "no column is empty";
+    }
+    const int columns = c.layout.sets()[0].columns;
+    const std::vector<double> zero(static_cast<std::size_t>(9) * columns * columns, 0.0);
+    assembly.add(0, 0, zero.data(), columns, values);
+    EXPECT_EQ(values, std::vector<double>(assembly.nonzeros(), 1.0));
+  }
+}
+
+TEST(PatchCursor, visits_each_patch_once_whatever_the_budget) {
+  const PatchLayout layout(refined(trapezohedron(5), 2).mesh, CapKind::kSmooth);
+  std::vector<std::pair<int, int>> expected;
+  for_each_patch(layout, [&](int s, int p) { expected.emplace_back(s, p); });
+  for (const int budget : {1, 7, 100, 1'000'000}) {
+    std::vector<std::pair<int, int>> visited;
+    PatchCursor cursor;
+    int parts = 1;
+    const auto add = [&](int s, int p) {
+      visited.emplace_back(s, p);
+      return 3;
+    };
+    while (!cursor.visit(layout, budget, add)) ++parts;
+    EXPECT_EQ(visited, expected);
+    const int per_part = (budget + 2) / 3, patches = static_cast<int>(expected.size());
+    EXPECT_EQ(parts, (patches + per_part - 1) / per_part);
+  }
+}
+
+}  // namespace
+}  // namespace umbilic::test

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The limit of the levels' energies with its error bar, or the reason why there is none.
+ */
+import { limitWords } from '../words/results.js';
+import { element, whenChanged } from './dom.js';
+
+/** @import {State} from '../state/types.js' */
+
+/** @param {string} words */
+const sentence = (words) => `${words[0].toUpperCase()}${words.slice(1)}.`;
+
+/** @param {HTMLElement} root */
+export function createLimitView(root) {
+  const show = whenChanged((/** @type {State['limit']} */ limit, /** @type {State['levels']} */ levels) => {
+    root.hidden = !limit;
+    if (!limit) return root.replaceChildren();
+    const { value, error, words } = limitWords(limit, levels);
+    root.classList.toggle('note', !value);
+    root.replaceChildren(
+      ...(error ? ['Limit '] : []),
+      ...(value ? [element('strong', {}, error ? `${value} ± ${error}` : value), ', '] : []),
+      value ? words : sentence(words),
+    );
+  });
+  return {
+    /** Of a run that goes on, more is to come. @param {State} state */
+    update: ({ status, limit, levels }) => show(status === 'running' ? null : limit, levels),
+    dispose: () => root.replaceChildren(),
+  };
+}

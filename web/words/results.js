@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What a run's limit, its symmetry and its certificate are called on the page.
+ */
+import { counted, significant, withError } from './numbers.js';
+
+/** @import {CertificateReport, Group, LevelReport, Limit, StopReason} from '../../wasm/types.js' */
+
+/** Levels that an error bar takes. */
+const ENOUGH_LEVELS = 3;
+/** Digits of an extrapolated energy's error. */
+const ERROR_DIGITS = 2;
+
+/** @type {Record<LevelReport['metric'], string>} */
+export const metricWords = { identity: 'Euclidean', sobolev: 'Sobolev', hessian: 'Hessian' };
+
+/**
+ * The extrapolated energy with its error, or the reason why there is none.
+ * @param {Limit} limit
+ * @param {LevelReport[]} levels
+ * @returns {{value: string, error: string, words: string}} `value` and `error` are empty where there is nothing to say
+ */
+export function limitWords({ status, energy, order, error }, levels) {
+  switch (status) {
+    case 'converging': {
+      const words = Number.isFinite(order) ? `observed order ${order.toFixed(1)}` : 'the last levels agree';
+      return { ...withError(energy, error, ERROR_DIGITS), words };
+    }
+    case 'too_few_levels': {
+      const missing = ENOUGH_LEVELS - levels.filter(({ evaluable }) => evaluable).length;
+      const words = missing > 1 ? `${missing} more levels give an error bar` : 'one more level gives an error bar';
+      return { value: '', error: '', words };
+    }
+    case 'not_minimized':
+      return { value: '', error: '', words: 'no error bar: a level ended before its minimum' };
+    case 'not_converging':
+      return { value: significant(energy), error: '', words: 'upper bound, not converging' };
+  }
+}
+
+/**
+ * A Schoenflies symbol's letter and what stands below the line: D3h is D and 3h.
+ * @param {string} name
+ * @returns {{letter: string, index: string}}
+ */
+export function schoenflies(name) {
+  return { letter: name.slice(0, 1), index: name.slice(1) };
+}
+
+/**
+ * Which symmetry a run keeps, after the group's symbol, if it has one.
+ * @param {Group | null} group
+ * @param {boolean} wanted whether symmetry is to be kept
+ * @returns {{symbol: string, words: string}}
+ */
+export function groupWords(group, wanted) {
+  if (!group || !wanted) return { symbol: '', words: '' };
+  if (group.order === 1) return { symbol: '', words: 'the cage has none' };
+  return { symbol: group.name, words: `, order ${group.order}` };
+}
+
+/**
+ * What a certificate says of the surface that a run has ended with, before and after the symbol of its symmetry.
+ * @param {CertificateReport} report
+ * @param {Group | null} group
+ * @param {StopReason | 'interrupted' | null} stop
+ * @returns {{before: string, symbol: string, after: string}}
+ */
+export function certificateWords({ negative }, group, stop) {
+  /** @param {string} before */
+  const plain = (before) => ({ before, symbol: '', after: '' });
+  const converged = stop === 'converged' || stop === 'round_off';
+  if (negative === 0) {
+    return plain(
+      converged
+        ? 'A local minimum among all surfaces near it.'
+        : 'No direction lowers the energy to second order, but the run ended before it converged.',
+    );
+  }
+  const directions = `${counted(negative, 'direction lowers', 'directions lower')} the energy`;
+  if (!converged) return plain(`${directions} to second order.`);
+  if (!group || group.order === 1) return plain(`${directions}: a saddle point, not a minimum.`);
+  return { before: `${directions}: a minimum only within its symmetry (`, symbol: group.name, after: ').' };
+}
+
+/** What a certificate rests on. @param {CertificateReport} report */
+export function certificateDetails({ unknowns, tau }) {
+  return `${counted(unknowns, 'unknown')}, τ\u00a0=\u00a0${tau}`;
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The certificate that the worker is making, one step at a time between the messages. Outlived by the run that it
+ * is about, or dropped with it.
+ */
+
+/** @import {Certificate, Minimizer} from '../../wasm/umbilic.js' */
+/** @import {Message} from './protocol.js' */
+
+/**
+ * @param {object} surroundings
+ * @param {(message: Message) => void} surroundings.post
+ * @param {(task: () => void) => void} surroundings.yieldThen runs the task after the messages that have arrived
+ */
+export function createCertification({ post, yieldThen }) {
+  /** @type {Certificate | null} */
+  let certificate = null;
+
+  function drop() {
+    certificate?.dispose();
+    certificate = null;
+  }
+
+  /** @param {number} run @param {Certificate} mine */
+  function advance(run, mine) {
+    if (certificate !== mine) return;
+    const done = mine.step(1);
+    post({ type: 'certificateAdvanced', run, progress: mine.progress });
+    if (!done) return yieldThen(() => advance(run, mine));
+    post({ type: 'certified', run, report: mine.report });
+    drop();
+  }
+
+  return {
+    /** Of the minimizer's best surface. @param {number} run @param {Minimizer} minimizer */
+    begin(run, minimizer) {
+      drop();
+      const mine = minimizer.certify();
+      certificate = mine;
+      yieldThen(() => advance(run, mine));
+    },
+
+    /** At the page's wish; one that is ready already has been told. @param {number} run */
+    abandon(run) {
+      if (!certificate) return;
+      drop();
+      post({ type: 'certificateAbandoned', run });
+    },
+
+    drop,
+  };
+}
