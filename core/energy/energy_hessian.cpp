@@ -5,22 +5,12 @@
 
 #include <algorithm>
 
-#include "base/lanes.h"
 #include "energy/energy_kernels.h"
 
 namespace umbilic {
 namespace {
 
-int padded_columns(int columns) {
-  constexpr int kMultiple = HessianPatch::kColumnMultiple;
-  return (columns + kMultiple - 1) / kMultiple * kMultiple;
-}
-
-Eigen::MatrixXd padded(const Eigen::MatrixXd& basis, int columns) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(basis.rows(), columns);
-  result.leftCols(basis.cols()) = basis;
-  return result;
-}
+static_assert(kColumnMultiple % HessianPatch::kColumnMultiple == 0);
 
 /// Orthogonal, with last row n.
 Eigen::Matrix3d turn_to_axis(const Vector3& n) {
@@ -54,17 +44,12 @@ EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& ru
     : layout_(layout), weights_(weights) {
   int widest = 0;
   for (const PatchSet& set : layout.sets()) {
-    std::vector<Sample> samples = set.kind.regular()            ? tensor_rule(rule.regular_points)
-                                  : set.kind.at_extraordinary() ? graded_rule(rule.cap_points, rule.grading)
-                                                                : tensor_rule(rule.cap_points);
-    pad_samples(samples, kSampleMultiple);
-    Kind kind{basis_table(set.kind, samples, 1, kDerivativeCount), {}, padded_columns(set.columns)};
-    kind.table.basis = padded(kind.table.basis, kind.padded);
+    Kind kind{kernel_table(set.kind, rule), {}};
     if (set.kind.shape == CapShape::kFlat) {
-      kind.table.flattening = padded(kind.table.flattening, kind.padded);
-      kind.normal_part = kind.table.basis - kind.table.flattening;
+      kind.normal_part = kind.table->basis;
+      for (std::size_t i = 0; i < kind.normal_part.size(); ++i) kind.normal_part[i] -= kind.table->flattening[i];
     }
-    widest = std::max(widest, kind.padded);
+    widest = std::max(widest, kind.table->columns);
     kinds_.push_back(std::move(kind));
   }
   scratch_.resize(HessianPatch::scratch(widest));
@@ -84,25 +69,30 @@ void EnergyHessian::move_to(const Points& control, const EnergyValue& value) {
 const double* EnergyHessian::patch(int set, int patch) {
   const PatchSet& patches = layout_.sets()[set];
   const Kind& kind = kinds_[set];
+  const KernelTable& table = *kind.table;
   const bool flat = patches.kind.shape == CapShape::kFlat;
   const Eigen::Matrix3d turn = flat ? turn_to_axis(frames_[patches.caps[patch]].normal) : Eigen::Matrix3d::Identity();
-  Eigen::Matrix<double, Eigen::Dynamic, 3> local = Eigen::MatrixXd::Zero(kind.padded, 3);
+  Eigen::Matrix<double, Eigen::Dynamic, 3> local = Eigen::MatrixXd::Zero(table.columns, 3);
   for (int i = 0; i < patches.columns; ++i) {
     local.row(i) = points_.row(patches.points[static_cast<std::size_t>(patches.columns) * patch + i]);
   }
   if (flat) local = (local * turn.transpose()).eval();
-  Eigen::Matrix<double, Eigen::Dynamic, 3> jets = kind.table.basis * local;
-  if (flat) jets.col(2) = kind.normal_part * local.col(2);
+  const auto matrix = [&](const AlignedDoubles& values) {
+    return Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>(values.data(), table.rows(), table.columns,
+                                                                      Eigen::OuterStride<>(table.stride));
+  };
+  Eigen::Matrix<double, Eigen::Dynamic, 3> jets = matrix(table.basis) * local;
+  if (flat) jets.col(2) = matrix(kind.normal_part) * local.col(2);
 
-  const double* basis = kind.table.basis.data();
-  const HessianPatch input{kind.table.samples,
-                           kind.padded,
-                           kind.table.weights.data(),
+  const double* basis = table.basis.data();
+  const HessianPatch input{table.samples,
+                           table.columns,
+                           table.weights.data(),
                            jets.data(),
                            {basis, basis, flat ? kind.normal_part.data() : basis},
-                           static_cast<int>(kind.table.basis.rows())};
+                           table.stride};
   energy_kernels().patch_hessian(input, integrand_, scratch_.data(), block_.data());
-  if (flat) turn_back(turn, kind.padded, block_);
+  if (flat) turn_back(turn, table.columns, block_);
   return block_.data();
 }
 

@@ -11,8 +11,8 @@
 
 #include "energy/hessian_patch.h"
 #include "energy/surface_energy.h"
-#include "surface/basis_table.h"
 #include "surface/flat_frame.h"
+#include "surface/kernel_table.h"
 
 namespace umbilic {
 
@@ -27,14 +27,13 @@ class EnergyHessian {
   /// The matrix of a patch (of one that it stands for): row-major, 3 columns(set) x 3 columns(set), as
   /// EnergyKernels::patch_hessian leaves it. Valid until the next call.
   const double* patch(int set, int patch);
-  int columns(int set) const { return kinds_[set].padded; }
-  int samples(int set) const { return kinds_[set].table.samples; }
+  int columns(int set) const { return kinds_[set].table->columns; }
+  int samples(int set) const { return kinds_[set].table->samples; }
 
  private:
   struct Kind {
-    BasisTable table;             // with columns padded by zeros
-    Eigen::MatrixXd normal_part;  // of `flat` caps: basis - flattening
-    int padded;
+    std::shared_ptr<const KernelTable> table;
+    AlignedDoubles normal_part;  // of `flat` caps: basis - flattening
   };
 
   const PatchLayout& layout_;

@@ -11,8 +11,7 @@ namespace umbilic {
 namespace {
 
 /// A metric needs no exact integrals, only that no direction is missed.
-constexpr int kPoints = 3;
-constexpr int kGrading = 2;
+constexpr QuadratureRule kRule{3, 3, 2};
 
 double second_order_weight(const Weights& w) { return w[kBending] + w[kWillmore] / 4; }
 
@@ -33,11 +32,9 @@ Eigen::Matrix<double, kThirdOrderCount, Rows::ColsAtCompileTime> at_sample(const
 SobolevForm::SobolevForm(const PatchLayout& layout, const Weights& weights)
     : layout_(layout), second_(second_order_weight(weights)), third_(third_order_weight(weights)) {
   for (const PatchSet& set : layout.sets()) {
-    const auto samples = set.kind.at_extraordinary() ? graded_rule(kPoints, kGrading) : tensor_rule(kPoints);
-    kinds_.push_back({basis_table(set.kind, samples, 0, kDerivativeCount), {}});
+    kinds_.push_back({shared_basis_table(set.kind, kRule), {}});
     Kind& kind = kinds_.back();
-    kind.functions = kind.table.basis;
-    if (set.kind.shape == CapShape::kFlat) kind.functions -= kind.table.flattening;
+    if (set.kind.shape == CapShape::kFlat) kind.normal_part = kind.table->basis - kind.table->flattening;
   }
 }
 
@@ -53,28 +50,29 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> SobolevForm::jets(int set, int patch) c
   const Kind& kind = kinds_[set];
   Eigen::Matrix<double, Eigen::Dynamic, 3> local(patches.columns, 3);
   for (int i = 0; i < patches.columns; ++i) local.row(i) = points_.row(patches.points[patches.columns * patch + i]);
-  Eigen::Matrix<double, Eigen::Dynamic, 3> result = kind.table.basis * local;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> result = kind.table->basis * local;
   if (patches.kind.shape == CapShape::kFlat) {
     const Vector3& n = frames_[patches.caps[patch]].normal;
-    result -= (kind.table.flattening * (local * n)) * n.transpose();
+    result -= (kind.table->flattening * (local * n)) * n.transpose();
   }
   return result;
 }
 
 Eigen::MatrixXd SobolevForm::patch(int set, int patch) const {
   const Kind& kind = kinds_[set];
-  const BasisTable& table = kind.table;
+  const BasisTable& table = *kind.table;
+  const Eigen::MatrixXd& functions = kind.functions();
   const double length = 10 / std::sqrt(area_);
   const double mass = 0.01 * (2 * second_ * std::pow(length, 4) + 2 * third_ * area_ * std::pow(length, 6));
   const auto x = jets(set, patch);
   constexpr int kRows = 1 + 3 + 6;
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(kRows * table.samples, table.columns);
   for (int s = 0; s < table.samples; ++s) {
-    const auto basis = at_sample(kind.functions, table.samples, s);
+    const auto basis = at_sample(functions, table.samples, s);
     const CovariantDerivatives covariant(at_sample(x, table.samples, s));
     const double measure = table.weights[s] * covariant.area;
     auto here = rows.middleRows<kRows>(kRows * s);
-    here.row(0) = std::sqrt(measure * mass) * kind.functions.row(s);
+    here.row(0) = std::sqrt(measure * mass) * functions.row(s);
     if (second_ > 0) here.middleRows<3>(1).noalias() = std::sqrt(2 * second_ * measure) * covariant.second * basis;
     if (third_ > 0) {
       here.middleRows<6>(4).noalias() = std::sqrt(2 * third_ * area_ * measure) * covariant.third * basis;

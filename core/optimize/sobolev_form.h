@@ -25,12 +25,15 @@ class SobolevForm {
 
   /// The matrix over the local points of a patch (of one that it stands for).
   Eigen::MatrixXd patch(int set, int patch) const;
-  int samples(int set) const { return kinds_[set].table.samples; }
+  int samples(int set) const { return kinds_[set].table->samples; }
 
  private:
   struct Kind {
-    BasisTable table;
-    Eigen::MatrixXd functions;  ///< the basis whose products are taken: of `flat` caps that of the normal part
+    std::shared_ptr<const BasisTable> table;
+    Eigen::MatrixXd normal_part;  ///< of `flat` caps: basis - flattening; else empty
+
+    /// The basis whose products are taken.
+    const Eigen::MatrixXd& functions() const { return normal_part.size() > 0 ? normal_part : table->basis; }
   };
 
   Eigen::Matrix<double, Eigen::Dynamic, 3> jets(int set, int patch) const;

@@ -4,7 +4,10 @@
 #include "surface/basis_table.h"
 
 #include <cmath>
+#include <map>
+#include <mutex>
 
+#include "base/shared_cache.h"
 #include "surface/bspline.h"
 
 namespace umbilic {
@@ -18,9 +21,7 @@ DerivativeRows pick(const DerivativeRows& all, const PatchColumns& columns, int 
   return rows;
 }
 
-}  // namespace
-
-PatchColumns patch_columns(const PatchKind& kind) {
+PatchColumns find_columns(const PatchKind& kind) {
   PatchColumns columns;
   if (kind.regular()) {
     for (int i = 0; i < 16; ++i) columns.net.push_back(i);
@@ -39,6 +40,16 @@ PatchColumns patch_columns(const PatchKind& kind) {
   }
   columns.coefficients = coefficient_count(kind.shape);
   return columns;
+}
+
+}  // namespace
+
+const PatchColumns& patch_columns(const PatchKind& kind) {
+  static std::mutex mutex;
+  static std::map<PatchKind, PatchColumns> all;  // never moves what it holds
+  const std::lock_guard lock(mutex);
+  const auto found = all.find(kind);
+  return found != all.end() ? found->second : all.emplace(kind, find_columns(kind)).first->second;
 }
 
 DerivativeRows patch_basis(const PatchKind& kind, const PatchColumns& columns, double u, double v) {
@@ -60,7 +71,7 @@ DerivativeRows patch_flattening(const PatchKind& kind, const PatchColumns& colum
 }
 
 BasisTable basis_table(const PatchKind& kind, const std::vector<Sample>& samples, int first, int last) {
-  const PatchColumns columns = patch_columns(kind);
+  const PatchColumns& columns = patch_columns(kind);
   BasisTable table;
   table.samples = static_cast<int>(samples.size());
   table.columns = columns.count();
@@ -79,6 +90,16 @@ BasisTable basis_table(const PatchKind& kind, const std::vector<Sample>& samples
     }
   }
   return table;
+}
+
+std::vector<Sample> samples_of(const PatchKind& kind, const QuadratureRule& rule) {
+  if (kind.regular()) return tensor_rule(rule.regular_points);
+  return kind.at_extraordinary() ? graded_rule(rule.cap_points, rule.grading) : tensor_rule(rule.cap_points);
+}
+
+std::shared_ptr<const BasisTable> shared_basis_table(const PatchKind& kind, const QuadratureRule& rule) {
+  static SharedCache<std::pair<PatchKind, QuadratureRule>, BasisTable> tables(kSharedTableBytes);
+  return tables.get({kind, rule}, [&] { return basis_table(kind, samples_of(kind, rule), 0, kDerivativeCount); });
 }
 
 void pad_samples(std::vector<Sample>& samples, int lanes) {

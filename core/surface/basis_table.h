@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <compare>
+#include <memory>
 #include <vector>
 
 #include "surface/cap.h"
@@ -33,7 +34,8 @@ struct PatchColumns {
   int count() const { return static_cast<int>(net.size()) + coefficients; }
 };
 
-PatchColumns patch_columns(const PatchKind& kind);
+/// Found once per process.
+const PatchColumns& patch_columns(const PatchKind& kind);
 
 /// X's basis at (u, v) of the face, 10 x columns, and for `kFlat` the flattening's.
 DerivativeRows patch_basis(const PatchKind& kind, const PatchColumns& columns, double u, double v);
@@ -51,6 +53,15 @@ struct BasisTable {
 };
 
 BasisTable basis_table(const PatchKind& kind, const std::vector<Sample>& samples, int first, int last);
+
+/// What tables that a process shares may take, of each form, while nobody uses them.
+inline constexpr std::size_t kSharedTableBytes = 64 << 20;
+
+/// The samples of a rule on the faces of a kind.
+std::vector<Sample> samples_of(const PatchKind& kind, const QuadratureRule& rule);
+
+/// The table of all derivatives at these, shared by everything in the process that needs it.
+std::shared_ptr<const BasisTable> shared_basis_table(const PatchKind& kind, const QuadratureRule& rule);
 
 /// Repeats the last sample with weight 0 until the count is a multiple of `lanes`.
 void pad_samples(std::vector<Sample>& samples, int lanes);

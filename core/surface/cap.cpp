@@ -50,9 +50,9 @@ Derivatives CapSector::blend(double u, double v) const {
   return Derivatives::Zero();
 }
 
-/// Monomials x^(k-l) y^l of the characteristic map, by rising degree k, as functions of (u, v).
-DerivativeRows CapSector::polynomials(double u, double v) const {
-  const Eigen::Matrix<double, kDerivativeCount, 2> xy = net_.basis(u, v) * characteristic_;
+/// Monomials x^(k-l) y^l of the characteristic map, by rising degree k, where the limit surface has this basis.
+DerivativeRows CapSector::polynomials(const DerivativeRows& surface) const {
+  const Eigen::Matrix<double, kDerivativeCount, 2> xy = surface * characteristic_;
   const Derivatives x = xy.col(0), y = xy.col(1);
   DerivativeRows rows(kDerivativeCount, coefficient_count(shape_));
   rows.col(0) = Derivatives::Unit(0);
@@ -71,7 +71,7 @@ DerivativeRows CapSector::basis(double u, double v) const {
   if (coefficients == 0) return surface;
   const Derivatives b = blend(u, v);
   DerivativeRows rows(kDerivativeCount, net_.size() + coefficients);
-  rows << product(Derivatives::Unit(0) - b, surface), product(b, polynomials(u, v));
+  rows << product(Derivatives::Unit(0) - b, surface), product(b, polynomials(surface));
   return rows;
 }
 

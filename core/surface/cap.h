@@ -55,7 +55,7 @@ class CapSector {
 
  private:
   Derivatives blend(double u, double v) const;
-  DerivativeRows polynomials(double u, double v) const;
+  DerivativeRows polynomials(const DerivativeRows& surface) const;
   void build_fit();
 
   RingNet net_;

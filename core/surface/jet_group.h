@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "base/aligned_doubles.h"
+#include "surface/kernel_table.h"
 #include "surface/layout.h"
 #include "surface/regular_kernel.h"
 
@@ -19,26 +19,24 @@ class JetGroup {
   const PatchSet& set() const { return set_; }
   bool flat() const { return set_.kind.shape == CapShape::kFlat; }
 
-  int samples() const { return samples_; }
-  const double* weights() const { return weights_.data(); }  ///< of the samples
+  int samples() const { return regular_ ? regular_->samples() : table_->samples; }
+  const double* weights() const { return all_weights().data(); }  ///< of the samples
   /// Samples with weight > 0, of all patches.
-  long sample_count() const { return (weights_.array() > 0).count() * set_.count(); }
-  std::size_t bytes() const;
+  long sample_count() const { return (all_weights().array() > 0).count() * set_.count(); }
+  std::size_t bytes() const { return regular_ ? regular_->bytes() : table_->bytes(); }
 
   /// For regular faces.
   const RegularKernel& regular() const { return *regular_; }
   /// For the others: rows (derivative, sample), derivatives from X_u; for `kFlat` also the flattening's.
-  DenseTable basis() const { return {basis_.data(), stride_, set_.columns}; }
-  DenseTable flattening() const { return {flattening_.data(), stride_, set_.columns}; }
+  DenseTable basis() const { return {table_->basis.data(), table_->stride, set_.columns}; }
+  DenseTable flattening() const { return {table_->flattening.data(), table_->stride, set_.columns}; }
 
  private:
-  AlignedDoubles aligned(const Eigen::MatrixXd& table) const;
+  const Eigen::VectorXd& all_weights() const { return regular_ ? regular_->weights() : table_->weights; }
 
   const PatchSet& set_;
   std::unique_ptr<RegularKernel> regular_;
-  AlignedDoubles basis_, flattening_;
-  int stride_ = 0, samples_ = 0;
-  Eigen::VectorXd weights_;
+  std::shared_ptr<const KernelTable> table_;
 };
 
 }  // namespace umbilic

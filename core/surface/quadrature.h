@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <compare>
 #include <vector>
 
 namespace umbilic {
@@ -34,7 +35,7 @@ struct QuadratureRule {
   int cap_points;      ///< per direction on each cell of a face that a cap changes
   int grading;         ///< splits of the faces at an extraordinary vertex
 
-  friend bool operator==(const QuadratureRule&, const QuadratureRule&) = default;
+  friend auto operator<=>(const QuadratureRule&, const QuadratureRule&) = default;
 };
 
 }  // namespace umbilic

@@ -81,7 +81,17 @@ DerivativeRows RingNet::basis(double u, double v) const {
     v *= 2;
   }
   DerivativeRows rows = regular_basis(u, v);
-  for (int s = 0; s < steps; ++s) rows = rows * step_;
+  for (int s = 0; s < steps; ++s) {
+    // rows * step, past the many columns that are still zero.
+    DerivativeRows finer = DerivativeRows::Zero(kDerivativeCount, size());
+    for (int i = 0; i < size(); ++i) {
+      if ((rows.col(i).array() == 0).all()) continue;
+      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(step_, i); entry; ++entry) {
+        finer.col(entry.index()) += entry.value() * rows.col(i);
+      }
+    }
+    rows.swap(finer);
+  }
   for (int d = 0; d < kDerivativeCount; ++d) rows.row(d) *= std::ldexp(1.0, steps * (kOrderU[d] + kOrderV[d]));
   return rows;
 }
