@@ -91,8 +91,8 @@ std::string certificate_line(const CertificateReport& certificate, const GroupRe
     words = plural(certificate.negative, "direction lowers the energy", "directions lower the energy");
     words += group.order > 1 ? fmt::format(": a minimum only within its symmetry {}", group.name) : ": no minimum";
   }
-  return fmt::format("certificate: {} ({} unknowns, {} gauge directions, tau {:g})\n", words, certificate.unknowns,
-                     certificate.gauge, certificate.tau);
+  return fmt::format("certificate: {} (level {}, {} unknowns, {} gauge directions, tau {:g})\n", words,
+                     certificate.level, certificate.unknowns, certificate.gauge, certificate.tau);
 }
 
 }  // namespace umbilic

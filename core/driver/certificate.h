@@ -7,6 +7,9 @@
 /// directions G are removed: translations, rotations and scaling, and for second-order functionals the special
 /// conformal maps. On the complement of G they are neg(K + tau S) + pos(G^T (K + tau S)^-1 G) - dim G. The area
 /// product's rank-two term is bordered in the same way.
+///
+/// The surface is the discrete one: on coarse levels directions that only the discretization opens count as well (the
+/// Clifford torus has 5 at level 0 and none from level 2 on).
 #pragma once
 
 #include <memory>

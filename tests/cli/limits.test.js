@@ -104,7 +104,7 @@ describe('--certify', () => {
     expect(Object.keys(report).slice(-2)).toEqual(['levels', 'certificate']);
     expect(report.certificate).toEqual({ level: 2, unknowns: 1146, gauge: 10, tau: 0.001, negative: 0 });
     expect(tableOf(line)).toContain(
-      '\ncertificate: a local minimum among all surfaces near it (1146 unknowns, 10 gauge directions, tau 0.001)\n',
+      '\ncertificate: a local minimum among all surfaces near it (level 2, 1146 unknowns, 10 gauge directions, tau 0.001)\n',
     );
   });
 
@@ -112,7 +112,7 @@ describe('--certify', () => {
     const line = 'tetrahedron.obj --functional bending --levels 0..2 --certify';
     expect(reportOf(line).certificate).toMatchObject({ negative: 2, unknowns: 2292 });
     expect(tableOf(line)).toContain(
-      '\ncertificate: 2 directions lower the energy: a minimum only within its symmetry Td (2292 unknowns, ',
+      '\ncertificate: 2 directions lower the energy: a minimum only within its symmetry Td (level 2, 2292 unknowns, ',
     );
   });
 
@@ -120,7 +120,7 @@ describe('--certify', () => {
     const line = 'torus.obj --functional bending --levels 0..1 --certify';
     expect(tableOf(line)).toContain('\ncertificate: 1 direction lowers the energy: a minimum only within its symmetry');
     expect(tableOf(`${line} --no-symmetry --max-iterations 0`)).toMatch(
-      /^certificate: \d+ directions lower the energy: no minimum \(576 /m,
+      /^certificate: \d+ directions lower the energy: no minimum \(level \d, 576 /m,
     );
   });
 
