@@ -1,17 +1,38 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The benchmark: throughput of energy and gradient, seconds per phase of a level, and the errors of quadrature rules,
-/// as JSON on standard output. `npm run bench` runs it natively and as WebAssembly and prints the tables.
+/// The benchmark: `umbilic_bench SUBJECT ARGUMENT…` measures one subject and writes JSON to standard output. `npm run
+/// bench` runs it natively and as WebAssembly and prints the tables.
 #include <cstdio>
-#include <cstring>
 
 #include "subjects.h"
 
+namespace umbilic {
+namespace {
+
+/// Nothing for unknown subjects and arguments.
+std::string measure(const std::string& subject, const std::vector<std::string>& arguments) {
+  if (subject == "run") return whole_run(arguments);
+  if (subject == "throughput") {
+    return fmt::format(R"({{"peaks":{},"throughput":{},"phases":{}}})", peaks(), throughput(), phases());
+  }
+  if (subject == "overhead") return overhead();
+  if (subject == "scaling") return scaling();
+  if (subject == "quadrature") return quadrature();
+  return "";
+}
+
+}  // namespace
+}  // namespace umbilic
+
 int main(int argc, char** argv) {
-  using namespace umbilic;
-  const bool rules = argc > 1 && std::strcmp(argv[1], "quadrature") == 0;
-  const std::string text =
-      rules ? fmt::format(R"({{"quadrature":{}}})", quadrature())
-            : fmt::format(R"({{"peaks":{},"throughput":{},"phases":{}}})", peaks(), throughput(), phases());
-  std::puts(text.c_str());
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (!arguments.empty()) {
+    const std::string text = umbilic::measure(arguments[0], {arguments.begin() + 1, arguments.end()});
+    if (!text.empty()) return std::puts(text.c_str()) < 0;
+  }
+  std::fputs(
+      "Usage: umbilic_bench throughput | overhead | scaling | quadrature\n"
+      "       umbilic_bench run CAGE FUNCTIONAL LAST_LEVEL auto|identity|sobolev|hessian symmetric|whole\n",
+      stderr);
+  return 2;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the benchmark measures, each as a JSON array, on the genus-2 flag frame.
+/// What the benchmark measures, each as a JSON array, mostly on the genus-2 flag frame.
 #pragma once
 
 #include <fmt/format.h>
@@ -38,5 +38,15 @@ std::string phases();
 
 /// Errors of rules on surfaces that were minimized by the rule in use, which exploits its errors.
 std::string quadrature();
+
+/// A run from its cage to its end: CAGE FUNCTIONAL LAST_LEVEL METRIC symmetric|whole, as a JSON object; nothing for
+/// other arguments.
+std::string whole_run(const std::vector<std::string>& arguments);
+
+/// Seconds of an iteration of L-BFGS beside its evaluations and metric, by unknowns.
+std::string overhead();
+
+/// Seconds of an evaluation and of a level's solve, by patches.
+std::string scaling();
 
 }  // namespace umbilic

@@ -17,14 +17,15 @@ export const parts = { native: ['native'], wasm: ['wasm'], web: [], sanitize: ['
 /**
  * Builds one part, past a target that fails. The page needs the WebAssembly module.
  * @param {Part} part
+ * @param {...string} targets all of them where none is named
  * @returns {Promise<boolean>} whether all of it was built
  */
-export async function build(part) {
+export async function build(part, ...targets) {
   if (part === 'web') return buildPage();
   if (!existsSync(path.join(root, 'build', part, 'build.ninja')) && !(await configure(part))) return false;
   const jobs = String(availableParallelism());
   const quiet = process.stdout.isTTY ? [] : ['--quiet'];
-  return (await run('ninja', ['-C', `build/${part}`, '-k', '0', '-j', jobs, ...quiet])) === 0;
+  return (await run('ninja', ['-C', `build/${part}`, '-k', '0', '-j', jobs, ...quiet, ...targets])) === 0;
 }
 
 /**

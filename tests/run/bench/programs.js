@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Runs the benchmark's programs and the command line, a process for each measurement, and keeps the best of several rounds:
+ * other work on the machine only slows them.
+ */
+import { execFileSync, spawnSync } from 'node:child_process';
+import path from 'node:path';
+import { root } from '../process.js';
+
+/** @typedef {'native' | 'wasm'} Platform */
+/**
+ * @typedef {object} LevelRow
+ * @property {number} level
+ * @property {number} patches
+ * @property {number} unknowns
+ * @property {number} energy by the minimizing rule
+ * @property {number} energyReported
+ * @property {number} iterations
+ * @property {number} evaluations
+ * @property {string} metric
+ * @property {number} metrics
+ * @property {string} stop
+ */
+/** @typedef {{ seconds: number, group: string, order: number, levels: LevelRow[], steps: import('./tables.js').Step[] }} RunRow */
+/** @typedef {{ cage: string, functional: string, lastLevel: number, metric: string, symmetry: 'symmetric' | 'whole' }} RunChoice */
+
+const native = path.join(root, 'build/native');
+
+/**
+ * What the benchmark measures of a subject.
+ * @param {Platform} platform
+ * @param {...string} args
+ * @returns {any} as its main.cpp says
+ */
+export function bench(platform, ...args) {
+  const [program, ...first] =
+    platform === 'native'
+      ? [path.join(native, 'umbilic_bench')]
+      : [process.execPath, path.join(root, 'build/wasm/umbilic_bench.cjs')];
+  return JSON.parse(execFileSync(program, [...first, ...args], { encoding: 'utf8', maxBuffer: 1 << 28 }));
+}
+
+/**
+ * The quickest of up to `rounds` runs, of as many as fit into a few seconds.
+ * @param {Platform} platform
+ * @param {RunChoice} choice
+ * @param {number} [rounds]
+ * @returns {RunRow}
+ */
+export function benchRun(platform, { cage, functional, lastLevel, metric, symmetry }, rounds = 3) {
+  /** @type {RunRow[]} */
+  const runs = [];
+  let total = 0;
+  while (runs.length < rounds && total < 3) {
+    runs.push(bench(platform, 'run', cage, functional, String(lastLevel), metric, symmetry));
+    total += runs[runs.length - 1].seconds;
+  }
+  return runs.reduce((a, b) => (b.seconds < a.seconds ? b : a));
+}
+
+/**
+ * The command line's process, from its start to its end, the quickest of some rounds.
+ * @param {string[]} args
+ * @param {number} [rounds]
+ * @returns {{ seconds: number, cpuSeconds: number }}
+ */
+export function timeUmbilic(args, rounds = 5) {
+  const timed = ['-c', 'TIMEFORMAT="%R %U %S"; time "$@" > /dev/null', 'bash', path.join(native, 'umbilic'), ...args];
+  const results = Array.from({ length: rounds }, () => {
+    const { status, stderr } = spawnSync('bash', timed, { encoding: 'utf8' });
+    if (status !== 0) throw new Error(`umbilic ${args.join(' ')}: ${stderr}`);
+    const [seconds, user, system] = stderr.trim().split(/\s+/).slice(-3).map(Number);
+    return { seconds, cpuSeconds: user + system };
+  });
+  return results.reduce((a, b) => (b.seconds < a.seconds ? b : a));
+}
