@@ -39,9 +39,11 @@ class IdentityMetric : public Metric {
 const IdentityMetric kIdentityMetric;
 
 /// What is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost grows faster with
-/// the unknowns, sooner for functionals that converge well in any metric.
-MetricChoice choose(const Weights& weights, int unknowns) {
-  const int most = third_order(weights) ? 8000 : 2000;
+/// the unknowns: without symmetry, where there are more patches for each of them, and sooner for functionals that
+/// converge well in any metric.
+MetricChoice choose(const Weights& weights, const Surface& surface, int unknowns) {
+  const int second_order_most = surface.symmetry().order > 1 ? 2000 : 100;
+  const int most = third_order(weights) ? 8000 : second_order_most;
   return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
 }
 
@@ -56,7 +58,7 @@ std::unique_ptr<SurfaceMetric> make_metric(MetricChoice choice, const Surface& s
                                              hessian_rule(options.cap, options.weights));
     case MetricChoice::kAutomatic: break;
   }
-  return make_metric(choose(options.weights, unknowns.count()), surface, unknowns, options);
+  return make_metric(choose(options.weights, surface, unknowns.count()), surface, unknowns, options);
 }
 
 int euler_characteristic(const PolygonMesh& mesh) {
