@@ -54,11 +54,12 @@ class PatchAssembly {
   Eigen::Map<const Eigen::SparseMatrix<double>> lower(const std::vector<double>& values) const;
 
  private:
-  /// What a patch contributes to: unknowns [first, first + dimension) of orbit `orbit`.
+  /// A control point that a patch depends on.
   struct Place {
     int orbit = -1;  ///< -1: no unknowns
     int vertex = 0;
   };
+  /// Vertices that share the unknowns [first, first + dimension).
   struct Orbit {
     int first, dimension;
     std::vector<int> neighbours;  ///< orbits >= this one, rising

@@ -69,6 +69,6 @@ test('flat caps and meshes with too many patches are refused with the reason', (
   expect(() => flat.certify()).toThrow(/flat/);
   flat.dispose();
   const large = minimized('cube', { levels: [6, 6], maxIterations: 0 });
-  expect(() => large.certify()).toThrow(/24576 patches; at most 20000/);
+  expect(() => large.certify()).toThrow(/24576 patches; at most 10000/);
   large.dispose();
 });
