@@ -5,26 +5,13 @@
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { launchBrowser } from './browser.js';
-import { builtPage, measured, openPage, screenshots, status } from './page.js';
-import { serve } from './site.js';
+import { describe, expect, test } from '@jest/globals';
+import { measured, openPage, screenshots, status } from './page.js';
+import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {{url: string, close: () => Promise<void>}} */
-let site;
-
-beforeAll(async () => {
-  [site, browser] = await Promise.all([serve(builtPage), launchBrowser()]);
-});
-
-afterAll(async () => {
-  await browser?.close();
-  await site?.close();
-});
+const served = servedPage();
 
 /** @param {Page} page @param {string} shape @param {string} functional */
 async function choose(page, shape, functional) {
@@ -46,7 +33,7 @@ const answer = (page) => page.locator('#certificate [role=status]');
 
 describe('symmetry', () => {
   test('is named, is kept unless it is switched off by the keyboard, and leaves fewer unknowns', async () => {
-    const { page, errors } = await openPage(browser, site.url);
+    const { page, errors } = await openPage(served.browser, served.url);
     const keep = page.getByRole('switch', { name: 'Keep symmetry' });
     const group = page.locator('#group');
     expect(await keep.isChecked()).toBe(true);
@@ -81,7 +68,7 @@ describe('symmetry', () => {
 
 describe('the limit', () => {
   test('has an error bar where the levels converge, and the energies that they converge to within it', async () => {
-    const { page } = await openPage(browser, site.url);
+    const { page } = await openPage(served.browser, served.url);
     await choose(page, 'torus', 'bending');
     await minimize(page);
     const text = await page.locator('#limit').innerText();
@@ -94,7 +81,7 @@ describe('the limit', () => {
   }, 60_000);
 
   test('asks for one more level where there are two', async () => {
-    const { page } = await openPage(browser, site.url);
+    const { page } = await openPage(served.browser, served.url);
     await choose(page, 'torus', 'bending');
     await page.locator('[name=last]').selectOption('1');
     await measured(page);
@@ -106,7 +93,7 @@ describe('the limit', () => {
 
 describe('a certificate', () => {
   test('is given by the keyboard, of a minimum and of what is one only within its symmetry, and is in the report', async () => {
-    const { page, errors } = await openPage(browser, site.url);
+    const { page, errors } = await openPage(served.browser, served.url);
     expect(await certify(page).getAttribute('aria-disabled')).toBe('true');
     await page.locator('[name=last]').selectOption('1');
     await measured(page);
@@ -144,7 +131,7 @@ describe('a certificate', () => {
   }, 60_000);
 
   test('is cancelled while it is made; the surface stays as it is', async () => {
-    const { page, errors } = await openPage(browser, site.url);
+    const { page, errors } = await openPage(served.browser, served.url);
     await page.locator('[name=functional]').selectOption('bending');
     await page.locator('[name=last]').selectOption('3');
     await measured(page);
@@ -166,7 +153,7 @@ describe('a certificate', () => {
   }, 60_000);
 
   test('that cannot be given says why', async () => {
-    const { page } = await openPage(browser, site.url);
+    const { page } = await openPage(served.browser, served.url);
     await choose(page, 'cube', 'bending');
     await page.getByLabel('Flat').check();
     await page.locator('[name=last]').selectOption('1');

@@ -3,29 +3,16 @@
  * @file The first visible change after Start: a surface that has moved, before anything else that takes time. Prints how
  * long it took, which depends on the machine; asserts the order only.
  */
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { launchBrowser } from './browser.js';
-import { builtPage, drawn, openPage, recordEvents, recordedEvents, status } from './page.js';
-import { serve } from './site.js';
+import { expect, test } from '@jest/globals';
+import { drawn, openPage, recordEvents, recordedEvents, status } from './page.js';
+import { servedPage } from './served.js';
 
 /** @typedef {import('./page.js').PageEvent} PageEvent */
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {{url: string, close: () => Promise<void>}} */
-let site;
-
-beforeAll(async () => {
-  [site, browser] = await Promise.all([serve(builtPage), launchBrowser()]);
-});
-
-afterAll(async () => {
-  await browser?.close();
-  await site?.close();
-});
+const served = servedPage();
 
 test('Start draws the default cage’s first moved surface before it draws, saves or measures anything else', async () => {
-  const { page } = await openPage(browser, site.url, {}, recordEvents);
+  const { page } = await openPage(served.browser, served.url, {}, recordEvents);
   await drawn(page);
   await page.waitForTimeout(2000); // the worker warms up, as it does while a user looks at the page
   await page.locator('#primary').click();

@@ -3,40 +3,25 @@
  * @file How the page opens: from any folder of any host, without errors, with a surface; in dark, in light, on a phone,
  * and where nothing can be drawn.
  */
-import { mkdirSync } from 'node:fs';
 import path from 'node:path';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { launchBrowser } from './browser.js';
-import { builtPage, drawn, energies, evaluated, look, openPage, screenshots, status } from './page.js';
-import { serve } from './site.js';
+import { describe, expect, test } from '@jest/globals';
+import { drawn, energies, evaluated, look, openPage, screenshots, status } from './page.js';
+import { servedPage } from './served.js';
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {{url: string, close: () => Promise<void>}} */
-let site;
-
-beforeAll(async () => {
-  mkdirSync(screenshots, { recursive: true });
-  [site, browser] = await Promise.all([serve(builtPage), launchBrowser()]);
-});
-
-afterAll(async () => {
-  await browser?.close();
-  await site?.close();
-});
+const served = servedPage();
 
 describe('the page', () => {
   test('opens from a sub-path without errors and asks nobody else for anything', async () => {
-    const { page, errors, requests } = await openPage(browser, site.url);
+    const { page, errors, requests } = await openPage(served.browser, served.url);
     expect(await page.title()).toBe('umbilic');
     expect(errors).toEqual([]);
     expect(requests.length).toBeGreaterThan(3);
-    for (const request of requests) expect(request.startsWith(site.url) || request.startsWith('data:')).toBe(true);
+    for (const request of requests) expect(request.startsWith(served.url) || request.startsWith('data:')).toBe(true);
     await page.context().close();
   });
 
   test('opens on the genus-2 frame, shaded, with its energies', async () => {
-    const { page } = await openPage(browser, site.url);
+    const { page } = await openPage(served.browser, served.url);
     expect(await page.locator('[name=shape]').inputValue()).toBe('two-3');
     expect(await page.locator('.facts').innerText()).toMatch(/Genus\s*2/);
     const table = await energies(page);
@@ -51,7 +36,7 @@ describe('the page', () => {
   });
 
   test('shades by every quantity, and plainly; the legend has numbers', async () => {
-    const { page } = await openPage(browser, site.url);
+    const { page } = await openPage(served.browser, served.url);
     const pictures = new Set();
     for (const shading of ['mean', 'gaussian', 'kappa1', 'kappa2', 'magnitude', 'plain']) {
       await page.locator('[name=shading]').selectOption(shading);
@@ -74,7 +59,7 @@ describe('the page', () => {
   });
 
   test('draws nothing while nothing changes, and draws when the view is turned', async () => {
-    const { page } = await openPage(browser, site.url, {}, async (fresh) => {
+    const { page } = await openPage(served.browser, served.url, {}, async (fresh) => {
       await fresh.addInitScript(() => {
         const request = window.requestAnimationFrame.bind(window);
         let frames = 0;
@@ -104,7 +89,7 @@ describe('the page', () => {
   });
 
   test('turns by keys: the picture changes, and the fit brings the surface back to its size', async () => {
-    const { page } = await openPage(browser, site.url, { reducedMotion: 'reduce' });
+    const { page } = await openPage(served.browser, served.url, { reducedMotion: 'reduce' });
     const first = await look(page);
     await page.locator('canvas').focus();
     for (let i = 0; i < 5; i++) await page.keyboard.press('-');
@@ -117,7 +102,7 @@ describe('the page', () => {
   });
 
   test('shows the control cage over the surface when asked', async () => {
-    const { page } = await openPage(browser, site.url);
+    const { page } = await openPage(served.browser, served.url);
     await page.locator('[name=shading]').selectOption('plain');
     await drawn(page);
     const before = await page.locator('#surface').screenshot();
@@ -130,7 +115,7 @@ describe('the page', () => {
   });
 
   test('says so where WebGL is missing, and works all the same', async () => {
-    const { page, errors } = await openPage(browser, site.url, {}, async (fresh) => {
+    const { page, errors } = await openPage(served.browser, served.url, {}, async (fresh) => {
       await fresh.addInitScript(() => {
         const getContext = HTMLCanvasElement.prototype.getContext;
         HTMLCanvasElement.prototype.getContext = /** @type {any} */ (
@@ -162,7 +147,7 @@ describe('a picture', () => {
   )(
     'is taken of the page in %s, at rest and after a run; nothing is cut off',
     async (name, options) => {
-      const { page, errors } = await openPage(browser, site.url, options);
+      const { page, errors } = await openPage(served.browser, served.url, options);
       await drawn(page);
       await page.screenshot({ path: path.join(screenshots, `${name}-opened.png`) });
       const background = await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
@@ -184,7 +169,7 @@ describe('a picture', () => {
   );
 
   test('follows the theme button, also after a reload', async () => {
-    const { page } = await openPage(browser, site.url, { colorScheme: 'light' });
+    const { page } = await openPage(served.browser, served.url, { colorScheme: 'light' });
     const background = () => page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
     const light = await background();
     await page.getByRole('button', { name: 'Dark theme' }).click();

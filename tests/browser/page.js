@@ -51,7 +51,7 @@ export async function status(page, pattern, timeout = 30_000) {
 }
 
 /** @param {string} text of the line below the status */
-function parseProgress(text) {
+export function parseProgress(text) {
   const match = /energy ([\d.\u202f]+) · level (\d+) · ([\d\u202f]+) evaluation/.exec(text);
   if (!match) throw new Error(`no progress in "${text}"`);
   const [energy, level, evaluations] = match.slice(1).map((number) => Number(number.replaceAll('\u202f', '')));

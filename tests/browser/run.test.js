@@ -4,29 +4,25 @@
  * worker that hangs; the keyboard alone.
  */
 import { readFileSync } from 'node:fs';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { beforeAll, describe, expect, test } from '@jest/globals';
 import { Cage, Minimizer, load } from '../../wasm/umbilic.js';
-import { launchBrowser } from './browser.js';
 import {
-  builtPage,
   dropFile,
   energies,
   evaluated,
   look,
   measured,
   openPage,
+  parseProgress,
   progress,
   recordProgress,
   status,
 } from './page.js';
-import { serve } from './site.js';
+import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {{url: string, close: () => Promise<void>}} */
-let site;
+const served = servedPage();
 /** A cage as a modelling program would write it: with texture coordinates, CRLF and a comment. */
 let tetrahedronFrame = '';
 
@@ -36,12 +32,6 @@ beforeAll(async () => {
   const faces = cage.obj().replace(/^f .*$/gm, (face) => face.replace(/(\d+)/g, '$1/1'));
   tetrahedronFrame = `# a frame\nvt 0 0\n${faces}`.replaceAll('\n', '\r\n');
   cage.dispose();
-  [site, browser] = await Promise.all([serve(builtPage), launchBrowser()]);
-});
-
-afterAll(async () => {
-  await browser?.close();
-  await site?.close();
 });
 
 /** @param {Page} page @param {string} name */
@@ -55,7 +45,7 @@ async function download(page, name) {
 
 describe('a user', () => {
   test('drops a file, minimizes it, pauses, resumes, cancels, saves and resets', async () => {
-    const { page, errors } = await openPage(browser, site.url);
+    const { page, errors } = await openPage(served.browser, served.url);
 
     await dropFile(page, 'my frame.obj', tetrahedronFrame);
     await status(page, /^Ready/);
@@ -136,7 +126,7 @@ describe('a user', () => {
   }, 120_000);
 
   test('chooses a generated shape, its family and thickness, and a file by the button', async () => {
-    const { page, errors } = await openPage(browser, site.url);
+    const { page, errors } = await openPage(served.browser, served.url);
     await page.locator('[name=shape]').selectOption('two-4');
     await page
       .locator('.facts')
@@ -160,7 +150,7 @@ describe('a user', () => {
   });
 
   test('who drops a broken file reads the line at fault and keeps the surface', async () => {
-    const { page, errors } = await openPage(browser, site.url);
+    const { page, errors } = await openPage(served.browser, served.url);
     const [facts, table, picture] = [await page.locator('.facts').innerText(), await energies(page), await look(page)];
     await dropFile(page, 'broken.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n');
     const alert = page.locator('#alert');
@@ -178,7 +168,7 @@ describe('a user', () => {
   });
 
   test('who leaves the cap away sees what diverges', async () => {
-    const { page } = await openPage(browser, site.url);
+    const { page } = await openPage(served.browser, served.url);
     await page.locator('[name=functional]').selectOption('bending');
     await page.getByLabel('None').check();
     await page.locator('#energies').getByText('diverges').first().waitFor();
@@ -187,7 +177,7 @@ describe('a user', () => {
   });
 
   test('blends functionals, and is told when nothing is left of them', async () => {
-    const { page } = await openPage(browser, site.url);
+    const { page } = await openPage(served.browser, served.url);
     await page.locator('[name=functional]').selectOption('blend');
     await page.locator('#energies .objective').filter({ hasText: 'Blend' }).waitFor();
     for (const name of ['bending', 'mvs_cross']) {
@@ -200,7 +190,7 @@ describe('a user', () => {
   });
 
   test('works with the keyboard alone: to Start by Tab, Enter, and Enter again to pause', async () => {
-    const { page } = await openPage(browser, site.url);
+    const { page } = await openPage(served.browser, served.url);
     const focused = () =>
       page.evaluate(() => document.activeElement?.id || document.activeElement?.getAttribute('name'));
     const seen = [];
@@ -231,7 +221,7 @@ describe('a user', () => {
 
 describe('the worker', () => {
   test('answers Cancel within a few evaluations on a cage of more than 2000 patches, and prints how fast', async () => {
-    const { page } = await openPage(browser, site.url);
+    const { page } = await openPage(served.browser, served.url);
     await page.locator('[name=shape]').selectOption('hexagonal-prism-frame');
     await page
       .locator('.facts')
@@ -239,38 +229,38 @@ describe('the worker', () => {
       .waitFor();
     for (const name of ['last', 'first']) await page.locator(`[name=${name}]`).selectOption('2');
     await measured(page);
+    /** @type {number[]} */
     const times = [];
     for (let i = 0; i < 5; i++) {
       await button(page, 'Start').click();
       await status(page, /^Minimizing/);
       await evaluated(page, 4 + 3 * i);
-      const { evaluations } = await progress(page);
-      times.push(
-        await page.evaluate(
-          () =>
-            new Promise((resolve) => {
-              const line = /** @type {Element} */ (document.querySelector('#status'));
-              const start = performance.now();
-              new MutationObserver(() => {
-                if (line.textContent?.startsWith('Cancelled')) resolve(performance.now() - start);
-              }).observe(line, { childList: true, characterData: true, subtree: true });
-              /** @type {HTMLElement} */ (document.querySelector('#cancel')).click();
-            }),
-        ),
+      // Both progress lines are read where the click happens, so that no evaluation of a slow look in between counts.
+      const { time, before, after } = await page.evaluate(
+        () =>
+          new Promise((/** @type {(told: {time: number, before: string, after: string}) => void} */ resolve) => {
+            const line = /** @type {Element} */ (document.querySelector('#status'));
+            const progress = /** @type {Element} */ (document.querySelector('#progress'));
+            const before = progress.textContent ?? '';
+            const start = performance.now();
+            new MutationObserver(() => {
+              if (!line.textContent?.startsWith('Cancelled')) return;
+              resolve({ time: performance.now() - start, before, after: progress.textContent ?? '' });
+            }).observe(line, { childList: true, characterData: true, subtree: true });
+            /** @type {HTMLElement} */ (document.querySelector('#cancel')).click();
+          }),
       );
-      // Some pass between the two looks at the page, and while the click is on its way.
-      expect((await progress(page)).evaluations - evaluations).toBeLessThan(20);
+      times.push(time);
+      expect(parseProgress(after).evaluations - parseProgress(before).evaluations).toBeLessThan(20);
     }
     const patches = await page.locator('#levels tbody td').nth(1).innerText();
-    console.log(
-      `Cancel answered on ${patches} patches after ${times.map((time) => Math.round(Number(time))).join(', ')} ms`,
-    );
+    console.log(`Cancel answered on ${patches} patches after ${times.map(Math.round).join(', ')} ms`);
     expect(Number(patches.replace(/\D/g, ''))).toBeGreaterThan(2000);
     await page.context().close();
   }, 120_000);
 
   test('that hangs is replaced; the surface is kept, can be saved, and is gone on from', async () => {
-    const { page, errors } = await openPage(browser, site.url);
+    const { page, errors } = await openPage(served.browser, served.url);
     await page.locator('[name=last]').selectOption('4');
     await page.locator('[name=first]').selectOption('2');
     await button(page, 'Start').click();

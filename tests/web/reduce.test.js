@@ -4,12 +4,11 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { initialState, reduce } from '../../web/state/reduce.js';
-import { certificateButton, objectiveValue, runButtons, statusSentence } from '../../web/state/select.js';
+import { objectiveValue, runButtons, statusSentence } from '../../web/state/select.js';
 import { changeSettings, defaultSettings, optionsOf, problemWith } from '../../web/state/settings.js';
 import {
   after,
   answered,
-  certificate,
   ended,
   energies,
   levelReport,
@@ -276,81 +275,6 @@ describe('a run', () => {
     expect(working(asked)).toEqual(['Reset']);
     const state = reduce(asked, answered({ type: 'ended', run: 1, stop: 'cancelled', progress: progress(0, 5) }));
     expect(statusSentence(state)).toBe('Cancelled after 5 evaluations.');
-  });
-});
-
-describe('a certificate', () => {
-  const press = /** @type {const} */ ({ type: 'certifyPressed' });
-  const cancel = /** @type {const} */ ({ type: 'certificateCancelPressed' });
-  /** @param {number} amount */
-  const advanced = (amount) => answered({ type: 'certificateAdvanced', run: 1, progress: amount });
-  const answer = answered({ type: 'certified', run: 1, report: certificate() });
-
-  test('is offered when a run has ended, and at no other time', () => {
-    for (const state of [initialState(), resting(), running()]) {
-      expect(certificateButton(state).enabled).toBe(false);
-      expect(reduce(state, press)).toBe(state);
-    }
-    expect(certificateButton(ended())).toEqual({ label: 'Certify', action: 'certifyPressed', enabled: true });
-    expect(certificateButton(after(ended(), { type: 'startPressed' })).enabled).toBe(false);
-  });
-
-  test('advances, is answered, and is not asked for again', () => {
-    const begun = after(ended(), press, advanced(0.4));
-    expect(begun.certifying).toEqual({ progress: 0.4, abandoning: false });
-    expect(certificateButton(begun)).toEqual({ label: 'Cancel', action: 'certificateCancelPressed', enabled: true });
-    const certified = after(begun, advanced(1), answer);
-    expect(certified).toMatchObject({ certifying: null, certificate: certificate() });
-    expect(certificateButton(certified).enabled).toBe(false);
-  });
-
-  test('counts its level from the cage, as everything does', () => {
-    const state = after(
-      ended(),
-      { type: 'settingsChanged', change: { origin: 'surface' } },
-      { type: 'startPressed' },
-      ...openedMessages(2),
-      answered({ type: 'ended', run: 2, stop: 'converged', progress: progress(0, 1) }),
-      press,
-      answered({ type: 'certified', run: 2, report: { ...certificate(), level: 0 } }),
-    );
-    expect(state.certificate?.level).toBe(2);
-  });
-
-  test('is cancelled once, and can be asked for again', () => {
-    const asked = after(ended(), press, cancel);
-    expect(asked.certifying?.abandoning).toBe(true);
-    expect(certificateButton(asked).enabled).toBe(false);
-    const abandoned = reduce(asked, answered({ type: 'certificateAbandoned', run: 1 }));
-    expect(abandoned).toMatchObject({ certifying: null, certificate: null, alert: null });
-    expect(certificateButton(abandoned).enabled).toBe(true);
-  });
-
-  test('that cannot be given says why', () => {
-    const refused = after(ended(), press, answered({ type: 'failed', run: 1, kind: 'input', message: 'cap flat' }));
-    expect(refused).toMatchObject({
-      certifying: null,
-      certificate: null,
-      alert: { title: 'There is no certificate', message: 'cap flat' },
-    });
-  });
-
-  test('is gone with the next run', () => {
-    const state = after(ended(), press, answer, { type: 'startPressed' }, ...openedMessages(2));
-    expect(state).toMatchObject({ certificate: null, certifying: null, limit: null });
-    const begun = after(ended(), press, { type: 'startPressed' }, ...openedMessages(2));
-    expect(begun.certifying).toBeNull();
-    expect(reduce(begun, answer)).toBe(begun);
-  });
-
-  test('whose worker was given up leaves the run as it ended, without an alert where the user wanted it', () => {
-    const loss = /** @type {const} */ ({ type: 'workerLost', loss: 'silent', detail: '' });
-    const wanted = after(ended(), press, cancel, loss);
-    expect(wanted).toMatchObject({ status: 'ended', stop: 'converged', certifying: null, alert: null });
-    expect(wanted.opening).toMatchObject({ purpose: 'recovery', source: { kind: 'text', text: 'the end' } });
-    const broken = after(ended(), press, { ...loss, loss: 'broken', detail: 'not enough memory' });
-    expect(broken.alert).toEqual({ title: 'The certificate broke off', message: 'not enough memory' });
-    expect(after(broken, ...openedMessages(2))).toMatchObject({ status: 'ended', stop: 'converged', run: 2 });
   });
 });
 
