@@ -24,6 +24,8 @@ enum class InstructionSet {
 inline constexpr int kInstructionSetCount = 3;
 inline constexpr std::array<std::string_view, kInstructionSetCount> kInstructionSetNames{"portable", "avx2", "avx512"};
 
+constexpr std::string_view name_of(InstructionSet set) { return kInstructionSetNames[static_cast<int>(set)]; }
+
 /// Whether this program has kernels for the set and this processor runs them.
 bool available(InstructionSet set);
 

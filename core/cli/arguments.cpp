@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/instruction_set.h"
 #include "cage/text.h"
 
 namespace umbilic {
@@ -42,6 +43,14 @@ void add_cap_option(CLI::App& command, CapKind& cap) {
           "where third-order energies diverge) [smooth]")
       ->type_name("CAP")
       ->check(checked(cap_called));
+}
+
+void add_instruction_set_option(CLI::App& app) {
+  app.add_option_function<std::string>(
+         "--instruction-set", [](const std::string& name) { use_instruction_set(parse_instruction_set(name).value()); },
+         "Kernels that compute: portable, avx2 or avx512; before the command\n[the last one that this processor has]")
+      ->type_name("SET")
+      ->check(checked(parse_instruction_set));
 }
 
 void add_json_flag(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print JSON instead of a table"); }

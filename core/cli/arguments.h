@@ -18,6 +18,9 @@ void add_cage_argument(CLI::App& command, std::string& path);
 /// --cap; `cap` holds the default.
 void add_cap_option(CLI::App& command, CapKind& cap);
 
+/// --instruction-set; takes effect before the command runs.
+void add_instruction_set_option(CLI::App& app);
+
 /// --json.
 void add_json_flag(CLI::App& command, bool& json);
 

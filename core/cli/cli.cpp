@@ -6,6 +6,7 @@
 #include <csignal>
 #include <new>
 
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -28,6 +29,7 @@ int run_command_line(int argc, const char* const* argv) {
       "write.");
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a failed write like any other
   int exit_code = kEnded;
+  add_instruction_set_option(app);
   add_cage_command(app, exit_code);
   add_info_command(app, exit_code);
   add_evaluate_command(app, exit_code);

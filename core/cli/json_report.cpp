@@ -3,6 +3,7 @@
 /// The shape of the JSON reports.
 #include "cli/json_report.h"
 
+#include "base/instruction_set.h"
 #include "cli/cage_shape.h"
 #include "cli/version.h"
 
@@ -57,6 +58,7 @@ void add_energies(Json& report, const EnergyReport& energies) {
   }
   values["area"] = energies.area;
   values["gaussian"] = energies.gaussian;
+  report["instruction_set"] = std::string(name_of(instruction_set()));
   report["energies"] = values;
   report["quadrature_error"] = energies.quadrature_error;
 }

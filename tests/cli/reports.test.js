@@ -55,9 +55,28 @@ describe('info', () => {
 });
 
 describe('evaluate', () => {
+  test('computes with the kernels that were asked for, to the same energies', () => {
+    const [chosen, portable] = [[], ['--instruction-set', 'portable']].map((options) =>
+      jsonOf([...options, 'evaluate', 'frame.obj', '--json'], scratch),
+    );
+    expect(chosen.instruction_set).toMatch(/^(portable|avx2|avx512)$/);
+    expect(portable.instruction_set).toBe('portable');
+    for (const [name, energy] of Object.entries(chosen.energies)) {
+      expect(Math.abs(portable.energies[name] / energy - 1)).toBeLessThan(1e-12);
+    }
+  });
+
   test('reports every energy, the cap, the level and the quadrature error', () => {
     const report = jsonOf(['evaluate', 'frame.obj', '--json', '--levels', '1', '--cap', 'flat'], scratch);
-    expect(Object.keys(report)).toEqual(['version', 'input', 'cap', 'energies', 'quadrature_error', 'levels']);
+    expect(Object.keys(report)).toEqual([
+      'version',
+      'input',
+      'cap',
+      'instruction_set',
+      'energies',
+      'quadrature_error',
+      'levels',
+    ]);
     expect(Object.keys(report.energies)).toEqual(energyNames);
     expect(report.cap).toBe('flat');
     expect(report.levels).toEqual([{ level: 1, patches: 96 }]);

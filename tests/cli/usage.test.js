@@ -48,6 +48,7 @@ describe('help', () => {
 const senseless = [
   ['', 'umbilic: A command is required'],
   ['improve', 'umbilic: The following argument was not expected: improve'],
+  ['--instruction-set sse9 info -', 'unknown instruction set "sse9"; known are portable, avx2, avx512'],
   ['info', 'CAGE is required'],
   ['info - --jsn', 'not expected: --jsn'],
   ['info - -', 'not expected: -'],

@@ -92,7 +92,7 @@ TEST(InstructionSets, agree_on_second_derivatives_with_every_functional_and_cap)
         with_each_instruction_set([&](InstructionSet set) {
           const Eigen::MatrixXd matrix = lower_triangle(hessian.patch(s, 0), hessian.columns(s));
           if (set == InstructionSet::kPortable) expected = matrix;
-          EXPECT_LT((matrix - expected).norm(), 1e-11 * expected.norm()) << kInstructionSetNames[static_cast<int>(set)];
+          EXPECT_LT((matrix - expected).norm(), 1e-11 * expected.norm()) << name_of(set);
         });
       }
     }

@@ -58,7 +58,7 @@ TEST(InstructionSets, agree_on_jets_and_pull_backs_with_every_cap_and_rule) {
                     1e-13);
           for (std::size_t k = 0; k < gradients.size(); ++k) {
             EXPECT_LT(difference(gradients[k].reshaped(), expected[k].reshaped()), 1e-12)
-                << kInstructionSetNames[static_cast<int>(set)] << " channel " << k;
+                << name_of(set) << " channel " << k;
           }
         });
       }
