@@ -189,7 +189,7 @@ Cage Run::control_mesh() const {
 
 LimitMesh Run::limit_mesh(int density) const {
   const Surface& surface = state_->level->surface();
-  return tessellate(surface.mesh(), surface.whole_layout(), state_->level->best(), density);
+  return tessellate(surface.mesh(), surface.symmetry(), surface.layout(), state_->level->best(), density);
 }
 
 }  // namespace umbilic

@@ -68,12 +68,6 @@ Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights)
       jets_(layout_, minimizing_rule(cap, weights)),
       energy_(jets_, weights) {}
 
-const PatchLayout& Surface::whole_layout() const {
-  if (symmetry().order == 1) return layout_;
-  if (!whole_layout_) whole_layout_ = std::make_unique<PatchLayout>(cage_.mesh, layout_.cap());
-  return *whole_layout_;
-}
-
 EnergyReport Surface::report(const Points& control) const {
   if (!reporting_jets_) reporting_jets_ = std::make_unique<JetEvaluator>(layout_, reporting_rule(layout_.cap()));
   const SurfaceIntegrals integrals = surface_integrals(*reporting_jets_, control);

@@ -43,8 +43,6 @@ class Surface {
   const Points& start() const { return cage_.control; }
   /// One patch of each orbit.
   const PatchLayout& layout() const { return layout_; }
-  /// All patches.
-  const PatchLayout& whole_layout() const;
   const JetEvaluator& jets() const { return jets_; }
   const SurfaceEnergy& energy() const { return energy_; }
 
@@ -59,7 +57,6 @@ class Surface {
   PatchLayout layout_;
   JetEvaluator jets_;
   SurfaceEnergy energy_;
-  mutable std::unique_ptr<PatchLayout> whole_layout_;
   mutable std::unique_ptr<JetEvaluator> reporting_jets_;
 };
 

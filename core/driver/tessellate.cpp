@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Samples every patch on a grid and joins the grids along edges and vertices.
+/// Samples one patch of each orbit on a grid, moves it by the group, and joins the grids along edges and vertices.
 #include "driver/tessellate.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
+#include "base/shared_cache.h"
 #include "surface/basis_table.h"
 #include "surface/flat_frame.h"
 
@@ -91,52 +94,126 @@ Vector3 cap_centre(const Cap& cap, const Points& points) {
 
 }  // namespace
 
-LimitMesh tessellate(const PolygonMesh& mesh, const PatchLayout& layout, const Points& control, int density) {
-  const GridNames names(mesh, density);
-  const Points points = layout.extend(control);
-  const std::vector<FlatFrame> frames = flat_frames(layout, points);
-  LimitMesh result;
-  result.positions = Points::Zero(names.count(), 3);
-  result.normals = Points::Zero(names.count(), 3);
-  result.curvatures = decltype(result.curvatures)::Zero(names.count(), 2);
-  std::vector<int> visits(names.count(), 0);
+namespace {
 
-  for (const PatchSet& set : layout.sets()) {
-    const BasisTable table = basis_table(set.kind, grid(set.kind, density), 0, kDerivatives);
-    Eigen::Matrix<double, Eigen::Dynamic, 3> local(set.columns, 3);
-    for (int p = 0; p < set.count(); ++p) {
-      for (int i = 0; i < set.columns; ++i) local.row(i) = points.row(set.points[set.columns * p + i]);
-      Eigen::Matrix<double, Eigen::Dynamic, 3> jets = table.basis * local;
-      if (set.kind.shape == CapShape::kFlat) {
-        const Vector3& n = frames[set.caps[p]].normal;
-        jets -= (table.flattening * (local * n)) * n.transpose();
-      }
-      for (int j = 0, s = 0; j <= density; ++j) {
-        for (int i = 0; i <= density; ++i, ++s) {
-          Eigen::Matrix<double, kDerivatives, 3> x;
-          for (int d = 0; d < kDerivatives; ++d) x.row(d) = jets.row(d * table.samples + s);
-          const SurfacePoint point(x);
-          const int v = names.vertex(set.halfedges[p], i, j);
-          ++visits[v];
-          result.positions.row(v) += point.position;
-          result.normals.row(v) += point.normal;
-          result.curvatures.row(v) += Eigen::RowVector2d(point.kappa1, point.kappa2);
-          if (i < density && j < density) {
-            const int h = set.halfedges[p];
-            result.quads.push_back(
-                {v, names.vertex(h, i + 1, j), names.vertex(h, i + 1, j + 1), names.vertex(h, i, j + 1)});
+/// A patch as an element of the symmetry group moves it: x -> center + isometry (x - center). Its half-edge leaves its
+/// corner (0,0) along u, or along v where the element turns the orientation.
+struct Image {
+  int halfedge;
+  bool swapped;
+  Eigen::Matrix3d isometry;
+};
+
+/// Each face of the patch's orbit once.
+void find_images(const PolygonMesh& mesh, const SymmetryGroup& group, int halfedge, std::vector<bool>& reached,
+                 std::vector<Image>& images) {
+  images.assign(1, {halfedge, false, Eigen::Matrix3d::Identity()});
+  reached[mesh.face(halfedge)] = true;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    for (const Symmetry& generator : group.generators) {
+      const Image& from = images[i];
+      const int along = generator.map.halfedges[from.halfedge];
+      if (reached[mesh.face(along)]) continue;
+      reached[mesh.face(along)] = true;
+      // A reversed edge arrives at the corner's image; the next one leaves it.
+      const bool reverses = generator.map.reverses;
+      images.push_back(
+          {reverses ? mesh.next(along) : along, from.swapped != reverses, generator.isometry * from.isometry});
+    }
+  }
+}
+
+/// Derivatives through order 2 at the vertices of a grid; used again for each picture.
+std::shared_ptr<const BasisTable> grid_table(const PatchKind& kind, int density) {
+  static SharedCache<std::pair<PatchKind, int>, BasisTable> tables(kSharedTableBytes);
+  return tables.get({kind, density}, [&] { return basis_table(kind, grid(kind, density), 0, kDerivatives); });
+}
+
+/// Sums over the patches that meet in each vertex.
+class Tessellation {
+ public:
+  Tessellation(const PolygonMesh& mesh, const SymmetryGroup& group, int density)
+      : mesh_(mesh), group_(group), density_(density), names_(mesh, density), reached_(mesh.face_count(), false) {
+    mesh_sums_.positions = Points::Zero(names_.count(), 3);
+    mesh_sums_.normals = Points::Zero(names_.count(), 3);
+    mesh_sums_.curvatures = decltype(mesh_sums_.curvatures)::Zero(names_.count(), 2);
+    mesh_sums_.quads.resize(static_cast<std::size_t>(mesh.face_count()) * density * density);
+    visits_.assign(names_.count(), 0);
+  }
+
+  /// Adds a patch and its images; `points` of its grid, u fastest.
+  void add(int halfedge, const std::vector<SurfacePoint>& points) {
+    find_images(mesh_, group_, halfedge, reached_, images_);
+    for (const Image& image : images_) {
+      const Vector3 offset = group_.center - image.isometry * group_.center;
+      auto* quad = &mesh_sums_.quads[static_cast<std::size_t>(mesh_.face(image.halfedge)) * density_ * density_];
+      for (int j = 0, s = 0; j <= density_; ++j) {
+        for (int i = 0; i <= density_; ++i, ++s) {
+          const int a = image.swapped ? j : i, b = image.swapped ? i : j, h = image.halfedge;
+          const int v = names_.vertex(h, a, b);
+          ++visits_[v];
+          mesh_sums_.positions.row(v) += (offset + image.isometry * points[s].position).transpose();
+          mesh_sums_.normals.row(v) += (image.isometry * points[s].normal).transpose();
+          mesh_sums_.curvatures.row(v) += Eigen::RowVector2d(points[s].kappa1, points[s].kappa2);
+          if (i < density_ && j < density_) {
+            *quad++ = {v, names_.vertex(h, a + 1, b), names_.vertex(h, a + 1, b + 1), names_.vertex(h, a, b + 1)};
           }
         }
       }
     }
   }
-  for (int v = 0; v < names.count(); ++v) {
-    result.positions.row(v) /= visits[v];
-    result.curvatures.row(v) /= visits[v];
-    result.normals.row(v).normalize();
+
+  LimitMesh means() && {
+    for (int v = 0; v < names_.count(); ++v) {
+      mesh_sums_.positions.row(v) /= visits_[v];
+      mesh_sums_.curvatures.row(v) /= visits_[v];
+      mesh_sums_.normals.row(v).normalize();
+    }
+    return std::move(mesh_sums_);
   }
-  for (const Cap& cap : layout.caps()) result.positions.row(cap.vertex) = cap_centre(cap, points);
-  return result;
+
+ private:
+  const PolygonMesh& mesh_;
+  const SymmetryGroup& group_;
+  const int density_;
+  const GridNames names_;
+  LimitMesh mesh_sums_;
+  std::vector<int> visits_;
+  std::vector<bool> reached_;
+  std::vector<Image> images_;
+};
+
+}  // namespace
+
+LimitMesh tessellate(const PolygonMesh& mesh, const SymmetryGroup& group, const PatchLayout& layout,
+                     const Points& control, int density) {
+  const Points points = layout.extend(control);
+  const std::vector<FlatFrame> frames = flat_frames(layout, points);
+  Tessellation result(mesh, group, density);
+  std::vector<SurfacePoint> grid_points;
+  for (const PatchSet& set : layout.sets()) {
+    const std::shared_ptr<const BasisTable> table = grid_table(set.kind, density);
+    Eigen::Matrix<double, Eigen::Dynamic, 3> local(set.columns, 3), jets;
+    for (int p = 0; p < set.count(); ++p) {
+      for (int i = 0; i < set.columns; ++i) local.row(i) = points.row(set.points[set.columns * p + i]);
+      jets.noalias() = table->basis * local;
+      if (set.kind.shape == CapShape::kFlat) {
+        const Vector3& n = frames[set.caps[p]].normal;
+        jets -= (table->flattening * (local * n)) * n.transpose();
+      }
+      grid_points.clear();
+      for (int s = 0; s < table->samples; ++s) {
+        Eigen::Matrix<double, kDerivatives, 3> x;
+        for (int d = 0; d < kDerivatives; ++d) x.row(d) = jets.row(d * table->samples + s);
+        grid_points.emplace_back(x);
+      }
+      if (set.kind.at_extraordinary()) {
+        grid_points.front().position = cap_centre(layout.caps()[set.caps[p]], points);
+      }
+      result.add(set.halfedges[p], grid_points);
+    }
+  }
+  return std::move(result).means();
 }
 
 }  // namespace umbilic

@@ -65,6 +65,14 @@ class CurvatureFrame {
   template <bool kWithThird = kThird>
   Jet<T> pull_back(const Curvature<T>& adjoint) const;
 
+  /// II from x = n . X_ij, and its transpose.
+  void second_to_frame(const T (&x)[3], T (&form)[3]) const { to_frame(x, form); }
+  void second_from_frame(const T (&form)[3], T (&x)[3]) const {
+    x[0] = alpha_ * (alpha_ * form[0] + beta_ * form[1]) + beta_ * beta_ * form[2];
+    x[1] = gamma_ * (alpha_ * form[1] + 2.0 * beta_ * form[2]);
+    x[2] = gamma_ * gamma_ * form[2];
+  }
+
   /// The part of C that is linear in t = n . X_ijk, and its transpose.
   void third_to_frame(const T (&t)[4], T (&c)[4]) const {
     const T t01 = beta_ * t[0] + gamma_ * t[1], t12 = beta_ * t[1] + gamma_ * t[2], t23 = beta_ * t[2] + gamma_ * t[3];
@@ -97,9 +105,7 @@ class CurvatureFrame {
 
   void pull_back_to_frame(const T (&x)[3], const T (&y_adjoint)[3], T (&x_adjoint)[3], FrameAdjoint& frame) const {
     const T mixed = beta_ * x[0] + gamma_ * x[1], last = beta_ * x[1] + gamma_ * x[2];
-    x_adjoint[0] = alpha_ * (alpha_ * y_adjoint[0] + beta_ * y_adjoint[1]) + beta_ * beta_ * y_adjoint[2];
-    x_adjoint[1] = gamma_ * (alpha_ * y_adjoint[1] + 2.0 * beta_ * y_adjoint[2]);
-    x_adjoint[2] = gamma_ * gamma_ * y_adjoint[2];
+    second_from_frame(y_adjoint, x_adjoint);
     frame.alpha += 2.0 * alpha_ * x[0] * y_adjoint[0] + mixed * y_adjoint[1];
     frame.beta += alpha_ * x[0] * y_adjoint[1] + 2.0 * mixed * y_adjoint[2];
     frame.gamma += alpha_ * x[1] * y_adjoint[1] + 2.0 * last * y_adjoint[2];

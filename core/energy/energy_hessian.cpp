@@ -72,23 +72,26 @@ const double* EnergyHessian::patch(int set, int patch) {
   const KernelTable& table = *kind.table;
   const bool flat = patches.kind.shape == CapShape::kFlat;
   const Eigen::Matrix3d turn = flat ? turn_to_axis(frames_[patches.caps[patch]].normal) : Eigen::Matrix3d::Identity();
-  Eigen::Matrix<double, Eigen::Dynamic, 3> local = Eigen::MatrixXd::Zero(table.columns, 3);
+  local_.resize(patches.columns, 3);
   for (int i = 0; i < patches.columns; ++i) {
-    local.row(i) = points_.row(patches.points[static_cast<std::size_t>(patches.columns) * patch + i]);
+    local_.row(i) = points_.row(patches.points[static_cast<std::size_t>(patches.columns) * patch + i]);
   }
-  if (flat) local = (local * turn.transpose()).eval();
-  const auto matrix = [&](const AlignedDoubles& values) {
-    return Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>(values.data(), table.rows(), table.columns,
-                                                                      Eigen::OuterStride<>(table.stride));
-  };
-  Eigen::Matrix<double, Eigen::Dynamic, 3> jets = matrix(table.basis) * local;
-  if (flat) jets.col(2) = matrix(kind.normal_part) * local.col(2);
+  if (flat) local_ = (local_ * turn.transpose()).eval();
+  const int rows = (integrand_.third_order ? kThirdOrderCount : kSecondOrderCount) * table.samples;
+  jets_.resize(static_cast<std::size_t>(3) * rows);
+  const SurfaceKernels& kernels = surface_kernels();
+  kernels.dense_product({table.basis.data(), table.stride, patches.columns}, rows, local_.data(), 3, jets_.data());
+  if (flat) {
+    const Eigen::VectorXd heights = local_.col(2);
+    kernels.dense_product({kind.normal_part.data(), table.stride, patches.columns}, rows, heights.data(), 1,
+                          jets_.data() + 2 * rows);
+  }
 
   const double* basis = table.basis.data();
   const HessianPatch input{table.samples,
                            table.columns,
                            table.weights.data(),
-                           jets.data(),
+                           jets_.data(),
                            {basis, basis, flat ? kind.normal_part.data() : basis},
                            table.stride};
   energy_kernels().patch_hessian(input, integrand_, scratch_.data(), block_.data());

@@ -43,7 +43,8 @@ class EnergyHessian {
   Points points_;
   std::vector<FlatFrame> frames_;
   WeightedIntegrand integrand_{};
-  std::vector<double> scratch_, block_;
+  Points local_;  // of the patch
+  std::vector<double> jets_, scratch_, block_;
 };
 
 }  // namespace umbilic

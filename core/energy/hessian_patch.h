@@ -18,14 +18,23 @@ struct HessianPatch {
   int samples;            ///< a multiple of kSampleMultiple
   int columns;            ///< local points, a multiple of kColumnMultiple: surplus ones have zero basis functions
   const double* weights;  ///< of the samples
-  const double* jets;     ///< [(c * 9 + d) * samples + s]
+  /// [(c * D + d) * samples + s], of order 1 to 3 (D = 9) or 2 (D = 5), as f depends on them.
+  const double* jets;
   /// Of each coordinate: the basis functions' derivatives of order 1 to 3, [i * stride + d * samples + s] for column i.
   const double* basis[3];
   int stride;
 
   static constexpr int kColumnMultiple = 4;
-  /// Doubles of scratch memory that the kernel wants.
-  static constexpr int scratch(int columns) { return 4 * (6 * columns * columns + 9 * columns + 1); }
+  /// Samples whose contributions the kernel adds up in registers: few enough that they stay in the cache.
+  static constexpr int kSamplesAtATime = 32, kThirdOrderSamplesAtATime = 16;
+  /// Doubles of scratch memory that the kernel wants: the jets' Hessians, and per column and sample the basis
+  /// functions' derivatives of two kinds and what the Hessians make of them.
+  static constexpr int scratch(int columns) {
+    constexpr int kHessians = 6 * 9 * 9 * kThirdOrderSamplesAtATime;
+    constexpr int kRows = 5 * kSamplesAtATime + 8;
+    static_assert(kHessians >= 6 * 5 * 5 * kSamplesAtATime && kRows >= 9 * kThirdOrderSamplesAtATime + 8);
+    return kHessians + 3 * kRows * columns + 8;
+  }
 };
 
 }  // namespace umbilic

@@ -14,7 +14,7 @@
 
 namespace umbilic {
 
-CovariantDerivatives::CovariantDerivatives(const Eigen::Matrix<double, kThirdOrderCount, 3>& jet) {
+CovariantDerivatives::CovariantDerivatives(const Eigen::Matrix<double, kThirdOrderCount, 3>& jet, bool with_third) {
   const Vector3 a = jet.row(0), b = jet.row(1), cross = a.cross(b);
   area = cross.norm();
   const Vector3 n = cross / area;
@@ -34,7 +34,7 @@ CovariantDerivatives::CovariantDerivatives(const Eigen::Matrix<double, kThirdOrd
       for (int u = 0; u < 2; ++u) {
         for (int v = 0; v < 2; ++v) {
           second_partial[i][j] += direction[i][u] * direction[j][v] * unit(2 + u + v);
-          for (int k = 0; k < 2; ++k) {
+          for (int k = 0; k < 2 && with_third; ++k) {
             for (int w = 0; w < 2; ++w) {
               third_partial[i][j][k] += direction[i][u] * direction[j][v] * direction[k][w] * unit(5 + u + v + w);
             }
@@ -73,6 +73,7 @@ CovariantDerivatives::CovariantDerivatives(const Eigen::Matrix<double, kThirdOrd
   };
   constexpr double kTwice = std::numbers::sqrt2;  // the entries 12 and 21
   second << hessian[0][0], kTwice * hessian[0][1], hessian[1][1];
+  if (!with_third) return;
   third << derivative(0, 0, 0), kTwice * derivative(0, 0, 1), derivative(0, 1, 1), derivative(1, 0, 0),
       kTwice * derivative(1, 0, 1), derivative(1, 1, 1);
 }

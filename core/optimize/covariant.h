@@ -20,7 +20,8 @@ struct CovariantDerivatives {
   ThirdCovariant third;
   double area;  ///< |X_u x X_v|
 
-  explicit CovariantDerivatives(const Eigen::Matrix<double, kThirdOrderCount, 3>& jet);
+  /// `third` is left out unless it is wanted.
+  explicit CovariantDerivatives(const Eigen::Matrix<double, kThirdOrderCount, 3>& jet, bool with_third = true);
 };
 
 }  // namespace umbilic

@@ -43,8 +43,8 @@ bool HessianAssembly::advance() {
       }
       hessian_.move_to(control_, value);
       sobolev_.move_to(control_, value.area);
-      hessian_values_.assign(assembly_.nonzeros(), 0.0);
-      sobolev_values_.assign(assembly_.nonzeros(), 0.0);
+      assembly_.clear(hessian_sums_);
+      assembly_.clear(sobolev_sums_);
       cursor_ = {};
       patches_done_ = 0;
       stage_ = Stage::kPatches;
@@ -52,8 +52,8 @@ bool HessianAssembly::advance() {
     }
     case Stage::kPatches: {
       const auto add = [&](int set, int patch) {
-        assembly_.add(set, patch, hessian_.patch(set, patch), hessian_.columns(set), hessian_values_);
-        assembly_.add_scalar(set, patch, sobolev_.patch(set, patch), sobolev_values_);
+        assembly_.add(set, patch, hessian_.patch(set, patch), hessian_.columns(set), hessian_sums_);
+        assembly_.add_scalar(set, patch, sobolev_.patch(set, patch), sobolev_sums_);
         ++patches_done_;
         return hessian_.samples(set);
       };
@@ -61,9 +61,11 @@ bool HessianAssembly::advance() {
       break;
     }
     case Stage::kReduce:
+      assembly_.eliminate(hessian_sums_);
+      assembly_.eliminate(sobolev_sums_);
       if (unknowns_.coarse()) {
-        reduced_hessian_ = unknowns_.reduce(assembly_.lower(hessian_values_));
-        reduced_sobolev_ = unknowns_.reduce(assembly_.lower(sobolev_values_));
+        reduced_hessian_ = unknowns_.reduce(assembly_.lower(hessian_sums_.values));
+        reduced_sobolev_ = unknowns_.reduce(assembly_.lower(sobolev_sums_.values));
       }
       stage_ = Stage::kReady;
       break;
@@ -76,7 +78,7 @@ HessianAssembly::Matrix HessianAssembly::combine(double hessian_factor, double s
   if (unknowns_.coarse()) return hessian_factor * reduced_hessian_ + sobolev_factor * reduced_sobolev_;
   std::vector<double> values(assembly_.nonzeros());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = hessian_factor * hessian_values_[i] + sobolev_factor * sobolev_values_[i];
+    values[i] = hessian_factor * hessian_sums_.values[i] + sobolev_factor * sobolev_sums_.values[i];
   }
   return assembly_.lower(values);
 }

@@ -49,7 +49,7 @@ class HessianAssembly {
   Points control_;
   PatchCursor cursor_;
   int patches_done_ = 0;
-  std::vector<double> hessian_values_, sobolev_values_;
+  PatchSums hessian_sums_, sobolev_sums_;
   Matrix reduced_hessian_, reduced_sobolev_;  // where the unknowns are those of a coarser mesh
   Eigen::MatrixXd factors_;
 };

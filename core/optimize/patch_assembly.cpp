@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Builds the pattern from the orbits that meet in a patch, and scatters blocks into it.
+/// Builds the pattern from the orbits that meet in a patch or a cap, and scatters blocks into it.
+///
+/// With H_pp, H_pq and H_qq a patch's matrix between its control points p and the coefficients of its sector, c = T q
+/// with q those of the cap in sector 0 and q = F y, the patch contributes H_pp + H_pq T F + (H_pq T F)^T + F^T T^T H_qq
+/// T F. H_pp is scattered at once; the sums of H_pq T and T^T H_qq T wait at the cap.
 #include "optimize/patch_assembly.h"
 
 #include <algorithm>
@@ -9,34 +13,35 @@
 namespace umbilic {
 namespace {
 
-using Block3 = Eigen::Matrix3d;
+/// A patch's matrix as it is handed over, of which half is read.
+struct FullBlock {
+  static constexpr bool kSameForAllCoordinates = false;
+  const double* entries;
+  int columns;
 
-/// The control points that decide the cap, rotated to a sector.
-template <class Visit>
-void for_each_net_vertex(const Cap& cap, int sector, const Visit& visit) {
-  const int size = static_cast<int>(cap.net.size());
-  for (int i = 0; i < size; ++i) {
-    const int vertex = cap.net[i == 0 ? 0 : 1 + (i - 1 + 12 * sector) % (size - 1)];
-    if (vertex >= 0) visit(i, vertex);
+  double operator()(int c, int i, int e, int j) const {
+    const bool lower = c > e || (c == e && i >= j);
+    const std::ptrdiff_t row = lower ? c * columns + i : e * columns + j,
+                         column = lower ? e * columns + j : c * columns + i;
+    return entries[row * 3 * columns + column];
   }
+};
+
+struct ScalarBlock {
+  static constexpr bool kSameForAllCoordinates = true;
+  const Eigen::MatrixXd& entries;
+
+  double operator()(int c, int i, int e, int j) const { return c != e ? 0 : i >= j ? entries(i, j) : entries(j, i); }
+};
+
+void sort_out(std::vector<int>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// Local points of a kind as combinations of the net's vertices within the cap's control rings.
-Eigen::MatrixXd expansion(const PatchSet& set, const Cap& cap) {
-  const Eigen::MatrixXd& fit = cap_sector(set.kind.valence, set.kind.shape).fit();
-  const PatchColumns columns = patch_columns(set.kind);
-  std::vector<int> column_of(cap.net.size(), -1);
-  int count = 0;
-  for_each_net_vertex(cap, 0, [&](int i, int) { column_of[i] = count++; });
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(columns.count(), count);
-  int row = 0;
-  for (const int i : columns.net) result(row++, column_of[i]) = 1;
-  for (int k = 0; k < columns.coefficients; ++k, ++row) {
-    for (int i = 0; i < fit.cols(); ++i) {
-      if (column_of[i] >= 0) result(row, column_of[i]) = fit(k, i);
-    }
-  }
-  return result;
+/// Of a value in rising values.
+int place(const std::vector<int>& rising, int value) {
+  return static_cast<int>(std::lower_bound(rising.begin(), rising.end(), value) - rising.begin());
 }
 
 }  // namespace
@@ -45,22 +50,19 @@ PatchAssembly::PatchAssembly(const PatchLayout& layout, const Coordinates& coord
     : layout_(layout), scalar_(false) {
   std::vector<Coordinates::Block> blocks(layout.control_count());
   for (int v = 0; v < layout.control_count(); ++v) blocks[v] = coordinates.block(v);
-  build(layout, blocks);
+  build(std::move(blocks));
 }
 
 PatchAssembly::PatchAssembly(const PatchLayout& layout) : layout_(layout), scalar_(true) {
   std::vector<Coordinates::Block> blocks(layout.control_count());
-  for (int v = 0; v < layout.control_count(); ++v) {
-    blocks[v].first = v;
-    blocks[v].dimension = 1;
-  }
-  build(layout, blocks);
+  for (int v = 0; v < layout.control_count(); ++v) blocks[v] = {v, 1, Vector3::UnitX()};
+  build(std::move(blocks));
 }
 
-void PatchAssembly::build(const PatchLayout& layout, const std::vector<Coordinates::Block>& blocks) {
-  blocks_ = blocks;
+void PatchAssembly::build(std::vector<Coordinates::Block> blocks) {
+  blocks_ = std::move(blocks);
   std::map<int, int> first_of;  // first unknown -> dimension
-  for (const auto& block : blocks) {
+  for (const auto& block : blocks_) {
     if (block.dimension > 0) first_of.emplace(block.first, block.dimension);
   }
   std::map<int, int> orbit_at;
@@ -68,31 +70,66 @@ void PatchAssembly::build(const PatchLayout& layout, const std::vector<Coordinat
     orbit_at[first] = static_cast<int>(orbits_.size());
     orbits_.push_back({first, dimension, {}, {}});
   }
-  orbit_of_.assign(blocks.size(), -1);
-  for (std::size_t v = 0; v < blocks.size(); ++v) {
-    if (blocks[v].dimension > 0) orbit_of_[v] = orbit_at[blocks[v].first];
+  orbit_of_.assign(blocks_.size(), -1);
+  for (std::size_t v = 0; v < blocks_.size(); ++v) {
+    if (blocks_[v].dimension > 0) orbit_of_[v] = orbit_at[blocks_[v].first];
   }
+  build_eliminations();
+  build_pattern();
+}
 
-  for (std::size_t set = 0; set < layout.sets().size(); ++set) {
-    const PatchSet& patches = layout.sets()[set];
-    const bool eliminates = coefficient_count(patches.kind.shape) > 0;
-    expansions_.push_back(eliminates ? expansion(patches, layout.caps()[patches.caps.front()]) : Eigen::MatrixXd());
-    for (int p = 0; p < patches.count(); ++p) {
-      std::vector<int> met;
-      for (const Place& place : places(static_cast<int>(set), p)) {
-        if (place.orbit >= 0) met.push_back(place.orbit);
+void PatchAssembly::build_eliminations() {
+  for (const Cap& cap : layout_.caps()) {
+    eliminations_.emplace_back();
+    const int count = coefficient_count(cap.shape);
+    if (count == 0) continue;
+    Elimination& here = eliminations_.back();
+    const auto for_each_vertex = [&](const auto& visit) {
+      for (std::size_t i = 0; i < cap.net.size(); ++i) {
+        if (cap.net[i] >= 0) visit(static_cast<Eigen::Index>(i), blocks_[cap.net[i]]);
       }
-      std::sort(met.begin(), met.end());
-      met.erase(std::unique(met.begin(), met.end()), met.end());
-      for (std::size_t i = 0; i < met.size(); ++i) {
-        auto& neighbours = orbits_[met[i]].neighbours;
-        neighbours.insert(neighbours.end(), met.begin() + i, met.end());
-        if (neighbours.size() > 4096) {
-          std::sort(neighbours.begin(), neighbours.end());
-          neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-        }
+    };
+    for_each_vertex([&](Eigen::Index, const Coordinates::Block& block) {
+      for (int k = 0; k < block.dimension; ++k) here.unknowns.push_back(block.first + k);
+    });
+    sort_out(here.unknowns);
+    const Eigen::MatrixXd& fit = cap_sector(cap.valence, cap.shape).fit();
+    here.fit.setZero(static_cast<Eigen::Index>(coordinates()) * count, static_cast<Eigen::Index>(here.unknowns.size()));
+    for_each_vertex([&](Eigen::Index i, const Coordinates::Block& block) {
+      for (int k = 0; k < block.dimension; ++k) {
+        auto column = here.fit.col(place(here.unknowns, block.first) + k);
+        for (int c = 0; c < coordinates(); ++c) column.segment(c * count, count) += block.basis(c, k) * fit.col(i);
       }
+    });
+  }
+}
+
+/// These orbits have entries with one another.
+void PatchAssembly::add_neighbours(std::vector<int> met) {
+  sort_out(met);
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    auto& neighbours = orbits_[met[i]].neighbours;
+    neighbours.insert(neighbours.end(), met.begin() + static_cast<std::ptrdiff_t>(i), met.end());
+    if (neighbours.size() > 4096) sort_out(neighbours);
+  }
+}
+
+void PatchAssembly::build_pattern() {
+  const auto add = [&](const int* vertices, std::size_t count) {
+    std::vector<int> met;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (vertices[i] >= 0 && orbit_of_[vertices[i]] >= 0) met.push_back(orbit_of_[vertices[i]]);
     }
+    add_neighbours(std::move(met));
+  };
+  for (const PatchSet& patches : layout_.sets()) {
+    const std::size_t count = patch_columns(patches.kind).net.size();
+    for (int p = 0; p < patches.count(); ++p) {
+      add(&patches.points[static_cast<std::size_t>(patches.columns) * p], count);
+    }
+  }
+  for (const Cap& cap : layout_.caps()) {
+    if (coefficient_count(cap.shape) > 0) add(cap.net.data(), cap.net.size());
   }
 
   outer_.push_back(0);
@@ -100,8 +137,7 @@ void PatchAssembly::build(const PatchLayout& layout, const std::vector<Coordinat
     Orbit& orbit = orbits_[o];
     auto& neighbours = orbit.neighbours;
     neighbours.push_back(static_cast<int>(o));
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    sort_out(neighbours);
     neighbours.shrink_to_fit();
     int rows = 0;
     for (const int n : neighbours) {
@@ -120,108 +156,133 @@ void PatchAssembly::build(const PatchLayout& layout, const std::vector<Coordinat
   }
 }
 
-std::vector<PatchAssembly::Place> PatchAssembly::places(int set, int patch) const {
-  const PatchSet& patches = layout_.sets()[set];
-  const int* points = &patches.points[static_cast<std::size_t>(patches.columns) * patch];
-  std::vector<Place> result;
-  if (expansions_[set].size() == 0) {
-    for (int i = 0; i < patches.columns; ++i) result.push_back({orbit_of_[points[i]], points[i]});
-    return result;
+void PatchAssembly::clear(PatchSums& sums) const {
+  sums.values.assign(nonzeros(), 0.0);
+  sums.caps.resize(eliminations_.size());
+  for (std::size_t c = 0; c < eliminations_.size(); ++c) {
+    const Eigen::MatrixXd& fit = eliminations_[c].fit;
+    sums.caps[c].mixed.setZero(fit.rows(), fit.cols());
+    sums.caps[c].own.setZero(fit.rows(), fit.rows());
   }
-  const Cap& cap = layout_.caps()[patches.caps[patch]];
-  const int coefficients = coefficient_count(cap.shape);
-  const int sector = (points[patches.columns - 1] - cap.first_coefficient) / coefficients;
-  for_each_net_vertex(cap, sector, [&](int, int vertex) { result.push_back({orbit_of_[vertex], vertex}); });
-  return result;
+}
+
+void PatchAssembly::scatter(int row, int column, bool one_place, const Eigen::Matrix3d& block,
+                            std::vector<double>& values) const {
+  const bool turn = row < column;
+  const int low = turn ? column : row, high = turn ? row : column;
+  const Orbit& orbit = orbits_[high];
+  const int height = orbits_[low].dimension;
+  const int first_row = orbit.rows[place(orbit.neighbours, low)];
+  for (int k = 0; k < orbit.dimension; ++k) {
+    // Column k of the lower triangle lacks its first k entries.
+    double* to = values.data() + outer_[orbit.first + k] + first_row - k;
+    if (low != high) {
+      for (int i = 0; i < height; ++i) to[i] += turn ? block(k, i) : block(i, k);
+    } else {
+      for (int i = k; i < height; ++i) to[i] += one_place ? block(i, k) : block(i, k) + block(k, i);
+    }
+  }
 }
 
 template <class Block>
-void PatchAssembly::scatter(const Place& row, const Place& column, const Block& block,
-                            std::vector<double>& values) const {
-  if (row.orbit < 0 || column.orbit < 0) return;
-  const bool turn = row.orbit < column.orbit;
-  const Place &low = turn ? column : row, &high = turn ? row : column;
-  const Orbit& orbit = orbits_[high.orbit];
-  const int height = orbits_[low.orbit].dimension, width = orbit.dimension;
-  const auto at = std::lower_bound(orbit.neighbours.begin(), orbit.neighbours.end(), low.orbit);
-  const int first_row = orbit.rows[at - orbit.neighbours.begin()];
-  const bool diagonal = low.orbit == high.orbit, twice = diagonal && row.vertex != column.vertex;
-  for (int k = 0; k < width; ++k) {
-    // Column k of the lower triangle lacks its first k entries.
-    double* column_values = values.data() + outer_[orbit.first + k] + first_row - k;
-    for (int i = diagonal ? k : 0; i < height; ++i) {
-      column_values[i] += turn ? block(k, i) : block(i, k);
-      if (twice) column_values[i] += block(k, i);
-    }
-  }
-}
-
-void PatchAssembly::add(int set, int patch, const double* block, int columns, std::vector<double>& values) const {
-  const std::vector<Place> where = places(set, patch);
-  const double multiplicity = layout_.sets()[set].multiplicities[patch];
-  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(3) * columns;
-  const Eigen::MatrixXd& expand = expansions_[set];
-  const auto scatter_pairs = [&](const auto& entry) {
-    const int count = static_cast<int>(where.size());
-    for (int i = 0; i < count; ++i) {
-      if (where[i].orbit < 0) continue;
-      const Coordinates::Block& rows = blocks_[where[i].vertex];
-      for (int j = 0; j <= i; ++j) {
-        if (where[j].orbit < 0) continue;
-        Block3 full;
-        for (int c = 0; c < 3; ++c) {
-          for (int e = 0; e < 3; ++e) full(c, e) = c >= e ? entry(c, i, e, j) : entry(e, j, c, i);
-        }
-        const Coordinates::Block& other = blocks_[where[j].vertex];
-        // A place met twice with i != j contributes both ways also to one vertex.
-        const auto reduced = (multiplicity * rows.basis.transpose() * full * other.basis).eval();
-        if (i != j && where[i].vertex == where[j].vertex) {
-          scatter(where[i], where[j], (reduced + reduced.transpose()).eval(), values);
-        } else {
-          scatter(where[i], where[j], reduced, values);
-        }
-      }
-    }
-  };
-  if (expand.size() == 0) {
-    scatter_pairs([&](int c, int i, int e, int j) { return block[(c * columns + i) * stride + e * columns + j]; });
-    return;
-  }
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Eigen::MatrixXd expanded[3][3];
-  const Eigen::Index local = expand.rows();
-  for (int c = 0; c < 3; ++c) {
-    for (int e = 0; e <= c; ++e) {
-      Eigen::MatrixXd part = Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>(
-          block + c * columns * stride + e * columns, local, local, Eigen::OuterStride<>(stride));
-      if (c == e) part = Eigen::MatrixXd(part.selfadjointView<Eigen::Lower>());
-      expanded[c][e] = expand.transpose() * part * expand;
-    }
-  }
-  scatter_pairs([&](int c, int i, int e, int j) { return expanded[c][e](i, j); });
-}
-
-void PatchAssembly::add_scalar(int set, int patch, const Eigen::MatrixXd& block, std::vector<double>& values) const {
-  const std::vector<Place> where = places(set, patch);
-  const double multiplicity = layout_.sets()[set].multiplicities[patch];
-  const Eigen::MatrixXd& expand = expansions_[set];
-  Eigen::MatrixXd expanded;
-  if (expand.size() > 0) {
-    expanded = expand.transpose() * Eigen::MatrixXd(block.selfadjointView<Eigen::Lower>()) * expand;
-  }
-  const Eigen::MatrixXd& entries = expand.size() > 0 ? expanded : block;
-  for (int i = 0; i < static_cast<int>(where.size()); ++i) {
+void PatchAssembly::add_block(int set, int patch, const Block& block, PatchSums& sums) const {
+  const PatchSet& patches = layout_.sets()[set];
+  const int* points = &patches.points[static_cast<std::size_t>(patches.columns) * patch];
+  const double multiplicity = patches.multiplicities[patch];
+  const int count = static_cast<int>(patch_columns(patches.kind).net.size());
+  for (int i = 0; i < count; ++i) {
+    const int row = orbit_of_[points[i]];
+    if (row < 0) continue;
+    const Coordinates::Block& left = blocks_[points[i]];
     for (int j = 0; j <= i; ++j) {
-      if (where[i].orbit < 0 || where[j].orbit < 0) continue;
-      const double twice = i != j && where[i].vertex == where[j].vertex ? 2 : 1;
-      const double entry = twice * multiplicity * entries(i, j);
-      if (scalar_) {
-        scatter(where[i], where[j], Eigen::Matrix<double, 1, 1>(entry), values);
-      } else {
-        const auto& rows = blocks_[where[i].vertex].basis;
-        scatter(where[i], where[j], (entry * rows.transpose() * blocks_[where[j].vertex].basis).eval(), values);
+      const int column = orbit_of_[points[j]];
+      if (column < 0) continue;
+      const Coordinates::Block& right = blocks_[points[j]];
+      Eigen::Matrix3d half, reduced;  // entries times right.basis, then left.basis^T times that
+      for (int c = 0; c < coordinates(); ++c) {
+        for (int k = 0; k < right.dimension; ++k) {
+          double sum = 0;
+          if constexpr (Block::kSameForAllCoordinates) {
+            sum = block(c, i, c, j) * right.basis(c, k);
+          } else {
+            for (int e = 0; e < 3; ++e) sum += block(c, i, e, j) * right.basis(e, k);
+          }
+          half(c, k) = multiplicity * sum;
+        }
+      }
+      for (int k = 0; k < right.dimension; ++k) {
+        for (int l = 0; l < left.dimension; ++l) {
+          double sum = 0;
+          for (int c = 0; c < coordinates(); ++c) sum += left.basis(c, l) * half(c, k);
+          reduced(l, k) = sum;
+        }
+      }
+      scatter(row, column, i == j, reduced, sums.values);
+    }
+  }
+  if (coefficient_count(patches.kind.shape) > 0) add_coefficients(set, patch, block, sums);
+}
+
+template <class Block>
+void PatchAssembly::add_coefficients(int set, int patch, const Block& block, PatchSums& sums) const {
+  const PatchSet& patches = layout_.sets()[set];
+  const int* points = &patches.points[static_cast<std::size_t>(patches.columns) * patch];
+  const Cap& cap = layout_.caps()[patches.caps[patch]];
+  const Elimination& elimination = eliminations_[patches.caps[patch]];
+  PatchSums::CapSums& waiting = sums.caps[patches.caps[patch]];
+  const int count = coefficient_count(cap.shape), net = patches.columns - count;
+  const int sector = (points[net] - cap.first_coefficient) / count;
+  const Eigen::MatrixXd turn = patches.multiplicities[patch] * cap_sector(cap.valence, cap.shape).turn(sector);
+  const Eigen::MatrixXd turn_back = cap_sector(cap.valence, cap.shape).turn(sector).transpose();
+  Eigen::MatrixXd part(count, count), mixed(count, net);
+  for (int c = 0; c < coordinates(); ++c) {
+    for (int e = 0; e < coordinates(); ++e) {
+      if (Block::kSameForAllCoordinates && c != e) continue;
+      if (!Block::kSameForAllCoordinates || c == 0) {
+        for (int i = 0; i < count; ++i) {
+          for (int k = 0; k < count; ++k) part(k, i) = block(c, net + k, e, net + i);
+        }
+        part = (turn_back * part * turn).eval();
+        for (int i = 0; i < net; ++i) {
+          for (int k = 0; k < count; ++k) mixed(k, i) = block(c, net + k, e, i);
+        }
+        mixed = (turn.transpose() * mixed).eval();
+      }
+      waiting.own.block(c * count, e * count, count, count) += part;
+      for (int i = 0; i < net; ++i) {
+        const Coordinates::Block& unknowns = blocks_[points[i]];
+        const int first = place(elimination.unknowns, unknowns.first);
+        for (int k = 0; k < unknowns.dimension; ++k) {
+          waiting.mixed.col(first + k).segment(c * count, count) += unknowns.basis(e, k) * mixed.col(i);
+        }
       }
     }
+  }
+}
+
+void PatchAssembly::add(int set, int patch, const double* block, int columns, PatchSums& sums) const {
+  add_block(set, patch, FullBlock{block, columns}, sums);
+}
+
+void PatchAssembly::add_scalar(int set, int patch, const Eigen::MatrixXd& block, PatchSums& sums) const {
+  add_block(set, patch, ScalarBlock{block}, sums);
+}
+
+void PatchAssembly::eliminate(PatchSums& sums) const {
+  for (std::size_t c = 0; c < eliminations_.size(); ++c) {
+    const auto& [unknowns, fit] = eliminations_[c];
+    PatchSums::CapSums& waiting = sums.caps[c];
+    const Eigen::MatrixXd half = fit.transpose() * (waiting.mixed + 0.5 * waiting.own * fit);
+    for (std::size_t j = 0; j < unknowns.size(); ++j) {
+      int at = outer_[unknowns[j]];
+      for (std::size_t i = j; i < unknowns.size(); ++i) {
+        while (inner_[at] != unknowns[i]) ++at;
+        const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+        sums.values[at] += half(row, column) + half(column, row);
+      }
+    }
+    waiting.mixed.setZero();
+    waiting.own.setZero();
   }
 }
 

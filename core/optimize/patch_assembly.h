@@ -30,9 +30,21 @@ struct PatchCursor {
   }
 };
 
-/// The pattern of all matrices that the patches of a layout contribute to, and how they do. The caps' coefficients are
-/// eliminated, and control points are replaced by the unknowns that they depend on. Values live outside, so that
-/// several matrices share one pattern.
+/// What some patches add up to.
+struct PatchSums {
+  /// Of the matrix between a cap's coefficients in sector 0's coordinates, c * coefficients + k, and the unknowns that
+  /// its net depends on.
+  struct CapSums {
+    Eigen::MatrixXd mixed;  ///< unknowns x coefficients
+    Eigen::MatrixXd own;    ///< coefficients x coefficients
+  };
+  std::vector<double> values;  ///< of the pattern
+  std::vector<CapSums> caps;
+};
+
+/// The pattern of all matrices that the patches of a layout contribute to, and how they do. Control points are replaced
+/// by the unknowns that they depend on; the caps' coefficients are eliminated, once for each cap, when all patches are
+/// added. Sums live outside, so that several matrices share one pattern.
 class PatchAssembly {
  public:
   /// Over the unknowns of `coordinates`.
@@ -43,41 +55,52 @@ class PatchAssembly {
   int size() const { return static_cast<int>(outer_.size()) - 1; }
   std::size_t nonzeros() const { return inner_.size(); }
 
+  /// Sums of nothing.
+  void clear(PatchSums& sums) const;
   /// `block` is 3 columns x 3 columns, row-major, over the coordinates c * columns + i of the patch's points i; where
   /// c == e only i >= j is read of ((c, i), (e, j)), and of c != e only c > e. `columns` is at least the set's.
-  void add(int set, int patch, const double* block, int columns, std::vector<double>& values) const;
+  void add(int set, int patch, const double* block, int columns, PatchSums& sums) const;
   /// `block` is a symmetric matrix over the patch's points, the same for all three coordinates, of which i >= j is
   /// read.
-  void add_scalar(int set, int patch, const Eigen::MatrixXd& block, std::vector<double>& values) const;
+  void add_scalar(int set, int patch, const Eigen::MatrixXd& block, PatchSums& sums) const;
+  /// Moves what waits at the caps to the values.
+  void eliminate(PatchSums& sums) const;
 
   /// The lower triangle with these values.
   Eigen::Map<const Eigen::SparseMatrix<double>> lower(const std::vector<double>& values) const;
 
  private:
-  /// A control point that a patch depends on.
-  struct Place {
-    int orbit = -1;  ///< -1: no unknowns
-    int vertex = 0;
-  };
   /// Vertices that share the unknowns [first, first + dimension).
   struct Orbit {
     int first, dimension;
     std::vector<int> neighbours;  ///< orbits >= this one, rising
     std::vector<int> rows;        ///< where each neighbour's rows begin, counted from the column's first entry
   };
+  /// A cap's coefficients as a function of the unknowns.
+  struct Elimination {
+    std::vector<int> unknowns;  ///< rising
+    Eigen::MatrixXd fit;        ///< coefficients x unknowns
+  };
+  void build(std::vector<Coordinates::Block> blocks);
+  void build_eliminations();
+  void add_neighbours(std::vector<int> met);
+  void build_pattern();
+  /// Of which the unknowns of a vertex are combinations: 1 where the matrix is scalar.
+  int coordinates() const { return scalar_ ? 1 : 3; }
 
-  void build(const PatchLayout& layout, const std::vector<Coordinates::Block>& blocks);
-  std::vector<Place> places(int set, int patch) const;
-  /// Adds the 3 x 3 (or 1 x 1) block between two places, both ways.
   template <class Block>
-  void scatter(const Place& row, const Place& column, const Block& block, std::vector<double>& values) const;
+  void add_block(int set, int patch, const Block& block, PatchSums& sums) const;
+  template <class Block>
+  void add_coefficients(int set, int patch, const Block& block, PatchSums& sums) const;
+  /// Adds the block between the unknowns of two vertices, and its transpose unless they are one place.
+  void scatter(int row, int column, bool one_place, const Eigen::Matrix3d& block, std::vector<double>& values) const;
 
   const PatchLayout& layout_;
   bool scalar_;
-  std::vector<Coordinates::Block> blocks_;  ///< of each vertex
+  std::vector<Coordinates::Block> blocks_;  ///< of each vertex; in a scalar matrix the first coordinate stands for all
   std::vector<int> orbit_of_;               ///< of each vertex, -1 without unknowns
   std::vector<Orbit> orbits_;
-  std::vector<Eigen::MatrixXd> expansions_;  ///< of each set: local points x vertices; empty where they are the same
+  std::vector<Elimination> eliminations_;  ///< of each cap; empty without coefficients
   std::vector<int> outer_, inner_;
 };
 

@@ -27,20 +27,21 @@ bool SobolevMetric::advance() {
   switch (stage_) {
     case Stage::kArea:
       form_.move_to(control_, energy_.evaluate(control_, nullptr).area);
-      values_.assign(assembly_.nonzeros(), 0.0);
+      assembly_.clear(sums_);
       cursor_ = {};
       stage_ = Stage::kPatches;
       break;
     case Stage::kPatches: {
       const auto add = [&](int set, int patch) {
-        assembly_.add_scalar(set, patch, form_.patch(set, patch), values_);
+        assembly_.add_scalar(set, patch, form_.patch(set, patch), sums_);
         return form_.samples(set);
       };
       if (cursor_.visit(energy_.layout(), kSamplesPerPart, add)) stage_ = Stage::kFactor;
       break;
     }
     case Stage::kFactor: {
-      Eigen::SparseMatrix<double> matrix = assembly_.lower(values_);
+      assembly_.eliminate(sums_);
+      Eigen::SparseMatrix<double> matrix = assembly_.lower(sums_.values);
       if (unknowns_.coarse()) matrix = unknowns_.reduce(matrix);
       if (!analyzed_) factor_.analyzePattern(matrix);
       analyzed_ = true;

@@ -42,7 +42,7 @@ class SobolevMetric : public SurfaceMetric {
   Stage stage_ = Stage::kArea;
   Points control_;
   PatchCursor cursor_;
-  std::vector<double> values_;
+  PatchSums sums_;
 };
 
 }  // namespace umbilic

@@ -65,20 +65,27 @@ Eigen::MatrixXd SobolevForm::patch(int set, int patch) const {
   const double length = 10 / std::sqrt(area_);
   const double mass = 0.01 * (2 * second_ * std::pow(length, 4) + 2 * third_ * area_ * std::pow(length, 6));
   const auto x = jets(set, patch);
-  constexpr int kRows = 1 + 3 + 6;
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(kRows * table.samples, table.columns);
+  const int second_rows = second_ > 0 ? 3 : 0, third_rows = third_ > 0 ? 6 : 0,
+            per_sample = 1 + second_rows + third_rows;
+  Eigen::MatrixXd rows(per_sample * table.samples, table.columns);
   for (int s = 0; s < table.samples; ++s) {
     const auto basis = at_sample(functions, table.samples, s);
-    const CovariantDerivatives covariant(at_sample(x, table.samples, s));
+    const CovariantDerivatives covariant(at_sample(x, table.samples, s), third_ > 0);
     const double measure = table.weights[s] * covariant.area;
-    auto here = rows.middleRows<kRows>(kRows * s);
+    auto here = rows.middleRows(per_sample * s, per_sample);
     here.row(0) = std::sqrt(measure * mass) * functions.row(s);
-    if (second_ > 0) here.middleRows<3>(1).noalias() = std::sqrt(2 * second_ * measure) * covariant.second * basis;
+    if (second_ > 0) {
+      const SecondCovariant weighted = std::sqrt(2 * second_ * measure) * covariant.second;
+      here.middleRows<3>(1) = weighted.lazyProduct(basis);
+    }
     if (third_ > 0) {
-      here.middleRows<6>(4).noalias() = std::sqrt(2 * third_ * area_ * measure) * covariant.third * basis;
+      const ThirdCovariant weighted = std::sqrt(2 * third_ * area_ * measure) * covariant.third;
+      here.bottomRows<6>() = weighted.lazyProduct(basis);
     }
   }
-  return rows.transpose() * rows;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(table.columns, table.columns);
+  result.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+  return result;
 }
 
 }  // namespace umbilic

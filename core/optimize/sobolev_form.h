@@ -23,7 +23,7 @@ class SobolevForm {
   /// The surface whose inner product it is, of this area.
   void move_to(const Points& control, double area);
 
-  /// The matrix over the local points of a patch (of one that it stands for).
+  /// The lower triangle of the matrix over the local points of a patch (of one that it stands for).
   Eigen::MatrixXd patch(int set, int patch) const;
   int samples(int set) const { return kinds_[set].table->samples; }
 

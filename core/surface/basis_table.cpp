@@ -3,7 +3,7 @@
 /// Fills basis tables from B-splines and cap sectors.
 #include "surface/basis_table.h"
 
-#include <cmath>
+#include <algorithm>
 #include <map>
 #include <mutex>
 
@@ -13,31 +13,13 @@
 namespace umbilic {
 namespace {
 
-DerivativeRows pick(const DerivativeRows& all, const PatchColumns& columns, int net_size) {
-  DerivativeRows rows(kDerivativeCount, columns.count());
-  int column = 0;
-  for (const int i : columns.net) rows.col(column++) = all.col(i);
-  for (int i = 0; i < columns.coefficients; ++i) rows.col(column++) = all.col(net_size + i);
-  return rows;
-}
-
 PatchColumns find_columns(const PatchKind& kind) {
   PatchColumns columns;
   if (kind.regular()) {
     for (int i = 0; i < 16; ++i) columns.net.push_back(i);
     return columns;
   }
-  // The support of the limit surface over the face: probes on all subpatches that see different control points.
-  const CapSector& sector = cap_sector(kind.valence, kind.shape);
-  Eigen::VectorXd support = Eigen::VectorXd::Zero(sector.net().size());
-  for (const double u : {0.2, 0.4, 0.7}) {
-    for (const double v : {0.2, 0.4, 0.7}) {
-      support += sector.net().basis(kind.cell % 2 + u, kind.cell / 2 + v).row(0).transpose().cwiseAbs();
-    }
-  }
-  for (int i = 0; i < support.size(); ++i) {
-    if (support[i] != 0) columns.net.push_back(i);
-  }
+  columns.net = cap_sector(kind.valence, kind.shape).net().support(kind.cell);
   columns.coefficients = coefficient_count(kind.shape);
   return columns;
 }
@@ -52,43 +34,64 @@ const PatchColumns& patch_columns(const PatchKind& kind) {
   return found != all.end() ? found->second : all.emplace(kind, find_columns(kind)).first->second;
 }
 
-DerivativeRows patch_basis(const PatchKind& kind, const PatchColumns& columns, double u, double v) {
-  if (!kind.regular()) {
-    const CapSector& sector = cap_sector(kind.valence, kind.shape);
-    return pick(sector.basis(kind.cell % 2 + u, kind.cell / 2 + v), columns, sector.net().size());
-  }
+DerivativeRows patch_basis(const PatchKind& kind, double u, double v) {
+  if (!kind.regular()) return cap_sector(kind.valence, kind.shape).basis(kind.cell, u, v);
   const Eigen::Matrix4d along_u = cubic_bspline(u), along_v = cubic_bspline(v);
   DerivativeRows rows(kDerivativeCount, 16);
-  for (int d = 0; d < kDerivativeCount; ++d) {
-    for (int i = 0; i < 16; ++i) rows(d, i) = along_u(kOrderU[d], i % 4) * along_v(kOrderV[d], i / 4);
+  for (int i = 0; i < 16; ++i) {
+    for (int d = 0; d < kDerivativeCount; ++d) rows(d, i) = along_u(kOrderU[d], i % 4) * along_v(kOrderV[d], i / 4);
   }
   return rows;
 }
 
-DerivativeRows patch_flattening(const PatchKind& kind, const PatchColumns& columns, double u, double v) {
-  const CapSector& sector = cap_sector(kind.valence, kind.shape);
-  return pick(sector.flattening(u, v), columns, sector.net().size());
+DerivativeRows patch_flattening(const PatchKind& kind, double u, double v) {
+  return cap_sector(kind.valence, kind.shape).flattening(u, v);
+}
+
+namespace {
+
+/// Samples that are written together, whose entries of a column fill a cache line.
+constexpr int kTogether = 8;
+
+void write_rows(const std::vector<DerivativeRows>& rows, int count, int first, int last, int samples, double* entries,
+                Eigen::Index stride) {
+  for (Eigen::Index column = 0; column < rows.front().cols(); ++column) {
+    for (int d = first; d < last; ++d) {
+      double* to = entries + column * stride + (d - first) * samples;
+      for (int k = 0; k < count; ++k) to[k] = rows[k](d, column);
+    }
+  }
+}
+
+}  // namespace
+
+void write_basis(const PatchKind& kind, const std::vector<Sample>& samples, int first, int last, BasisColumns basis,
+                 BasisColumns flattening) {
+  const bool flat = kind.shape == CapShape::kFlat;
+  const int sample_count = static_cast<int>(samples.size());
+  std::vector<DerivativeRows> rows(kTogether), flat_rows(kTogether);
+  for (int begin = 0; begin < sample_count; begin += kTogether) {
+    const int count = std::min(kTogether, sample_count - begin);
+    for (int k = 0; k < count; ++k) {
+      const Sample& sample = samples[begin + k];
+      rows[k] = patch_basis(kind, sample.u, sample.v);
+      if (flat) flat_rows[k] = patch_flattening(kind, sample.u, sample.v);
+    }
+    write_rows(rows, count, first, last, sample_count, basis.entries + begin, basis.stride);
+    if (flat) write_rows(flat_rows, count, first, last, sample_count, flattening.entries + begin, flattening.stride);
+  }
 }
 
 BasisTable basis_table(const PatchKind& kind, const std::vector<Sample>& samples, int first, int last) {
-  const PatchColumns& columns = patch_columns(kind);
   BasisTable table;
   table.samples = static_cast<int>(samples.size());
-  table.columns = columns.count();
+  table.columns = patch_columns(kind).count();
   table.weights.resize(table.samples);
+  for (int s = 0; s < table.samples; ++s) table.weights[s] = samples[s].weight;
   table.basis.resize((last - first) * table.samples, table.columns);
-  const bool flat = kind.shape == CapShape::kFlat;
-  if (flat) table.flattening.resize(table.basis.rows(), table.columns);
-  for (int s = 0; s < table.samples; ++s) {
-    const auto [u, v, weight] = samples[s];
-    table.weights[s] = weight;
-    const DerivativeRows rows = patch_basis(kind, columns, u, v);
-    const DerivativeRows flattening = flat ? patch_flattening(kind, columns, u, v) : DerivativeRows();
-    for (int d = first; d < last; ++d) {
-      table.basis.row((d - first) * table.samples + s) = rows.row(d);
-      if (flat) table.flattening.row((d - first) * table.samples + s) = flattening.row(d);
-    }
-  }
+  if (kind.shape == CapShape::kFlat) table.flattening.resize(table.basis.rows(), table.columns);
+  write_basis(kind, samples, first, last, {table.basis.data(), table.basis.rows()},
+              {table.flattening.data(), table.flattening.rows()});
   return table;
 }
 

@@ -38,8 +38,8 @@ struct PatchColumns {
 const PatchColumns& patch_columns(const PatchKind& kind);
 
 /// X's basis at (u, v) of the face, 10 x columns, and for `kFlat` the flattening's.
-DerivativeRows patch_basis(const PatchKind& kind, const PatchColumns& columns, double u, double v);
-DerivativeRows patch_flattening(const PatchKind& kind, const PatchColumns& columns, double u, double v);
+DerivativeRows patch_basis(const PatchKind& kind, double u, double v);
+DerivativeRows patch_flattening(const PatchKind& kind, double u, double v);
 
 /// Derivatives `first` up to but without `last` at all samples.
 struct BasisTable {
@@ -51,6 +51,16 @@ struct BasisTable {
 
   std::size_t bytes() const { return sizeof(double) * (basis.size() + flattening.size() + weights.size()); }
 };
+
+/// Where basis functions go: entry (row, column) stands at [column * stride + row].
+struct BasisColumns {
+  double* entries;
+  Eigen::Index stride;
+};
+
+/// Derivatives `first` up to but without `last`, row (d - first) samples + s, and for `kFlat` the flattening's.
+void write_basis(const PatchKind& kind, const std::vector<Sample>& samples, int first, int last, BasisColumns basis,
+                 BasisColumns flattening);
 
 BasisTable basis_table(const PatchKind& kind, const std::vector<Sample>& samples, int first, int last);
 

@@ -3,11 +3,11 @@
 /// Blends and fits in a sector of a cap.
 #include "surface/cap.h"
 
-#include <Eigen/QR>
-#include <cassert>
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <utility>
 
 #include "surface/blend.h"
@@ -22,92 +22,164 @@ constexpr int kFitGrading = 2;
 
 int degree(CapShape shape) { return shape == CapShape::kTwoRing ? 4 : 3; }
 
-/// Samples where the blend of `shape` varies, in sector coordinates.
-std::vector<Sample> fit_samples(CapShape shape) {
+/// Samples on a face where the blend of `shape` varies; none where it does not.
+std::vector<Sample> fit_samples(CapShape shape, int cell) {
   if (shape == CapShape::kOneRing) return graded_rule(kFitPoints, kFitGrading);
-  std::vector<Sample> samples;
-  for (const auto& [i, j] : {std::pair{1, 0}, {0, 1}, {1, 1}}) {
-    for (const Sample& s : tensor_rule(kFitPoints)) samples.push_back({s.u + i, s.v + j, s.weight});
-  }
-  return samples;
+  return cell == 0 ? std::vector<Sample>() : tensor_rule(kFitPoints);
 }
+
+/// The place of x^(k-l) y^l among the monomials, by rising degree k.
+int monomial(int k, int l) { return k * (k + 1) / 2 + l; }
 
 }  // namespace
 
 CapSector::CapSector(int valence, CapShape shape) : net_(valence), shape_(shape) {
   if (coefficient_count(shape) == 0) return;
-  characteristic_ = net_.characteristic_net();
+  const Eigen::Matrix<double, Eigen::Dynamic, 2> characteristic = net_.characteristic_net();
+  for (int cell = 0; cell < cell_count(shape); ++cell) {
+    const std::vector<int>& support = net_.support(cell);
+    characteristic_[cell].resize(static_cast<Eigen::Index>(support.size()), 2);
+    for (std::size_t i = 0; i < support.size(); ++i) {
+      characteristic_[cell].row(static_cast<Eigen::Index>(i)) = characteristic.row(support[i]);
+    }
+  }
+  build_turns();
   build_fit();
 }
 
-Derivatives CapSector::blend(double u, double v) const {
+Derivatives CapSector::blend(int cell, double u, double v) const {
   switch (shape_) {
     case CapShape::kBare: return Derivatives::Zero();
     case CapShape::kFlat: return tensor_blend(paper_blend, u, v, 1);
     case CapShape::kOneRing: return tensor_blend(smoothstep_blend, u, v, 1);
-    case CapShape::kTwoRing: return tensor_blend(smoothstep_blend, u, v, 2);
+    case CapShape::kTwoRing: return tensor_blend(smoothstep_blend, cell % 2 + u, cell / 2 + v, 2);
   }
   return Derivatives::Zero();
 }
 
-/// Monomials x^(k-l) y^l of the characteristic map, by rising degree k, where the limit surface has this basis.
-DerivativeRows CapSector::polynomials(const DerivativeRows& surface) const {
-  const Eigen::Matrix<double, kDerivativeCount, 2> xy = surface * characteristic_;
-  const Derivatives x = xy.col(0), y = xy.col(1);
+/// Monomials x^(k-l) y^l of the characteristic map, by rising degree k.
+DerivativeRows CapSector::polynomials(const Derivatives& x, const Derivatives& y) const {
   DerivativeRows rows(kDerivativeCount, coefficient_count(shape_));
   rows.col(0) = Derivatives::Unit(0);
-  int column = 1;
-  for (int k = 1; k <= degree(shape_); ++k) {
-    const int previous = column - k;
-    for (int l = 0; l < k; ++l) rows.col(column++) = product(x, rows.col(previous + l));
-    rows.col(column++) = product(y, rows.col(previous + k - 1));
+  rows.col(1) = x;
+  rows.col(2) = y;
+  for (int k = 2; k <= degree(shape_); ++k) {
+    for (int l = 0; l < k; ++l) rows.col(monomial(k, l)) = product(x, rows.col(monomial(k - 1, l)));
+    rows.col(monomial(k, k)) = product(y, rows.col(monomial(k - 1, k - 1)));
   }
   return rows;
 }
 
-DerivativeRows CapSector::basis(double u, double v) const {
-  const DerivativeRows surface = net_.basis(u, v);
+DerivativeRows CapSector::basis(int cell, double u, double v) const {
+  const DerivativeRows surface = net_.face_basis(cell, u, v);
   const int coefficients = coefficient_count(shape_);
   if (coefficients == 0) return surface;
-  const Derivatives b = blend(u, v);
-  DerivativeRows rows(kDerivativeCount, net_.size() + coefficients);
-  rows << product(Derivatives::Unit(0) - b, surface), product(b, polynomials(surface));
+  const Derivatives b = blend(cell, u, v);
+  const Eigen::Matrix<double, kDerivativeCount, 2> xy = surface.lazyProduct(characteristic_[cell]);
+  DerivativeRows rows(kDerivativeCount, surface.cols() + coefficients);
+  rows << product(Derivatives::Unit(0) - b, surface), product(b, polynomials(xy.col(0), xy.col(1)));
   return rows;
 }
 
 DerivativeRows CapSector::flattening(double u, double v) const {
-  DerivativeRows offset = net_.basis(u, v);
-  offset.row(0) -= net_.limit_position();
-  return product(blend(u, v), offset);
+  DerivativeRows offset = net_.face_basis(0, u, v);
+  const Eigen::RowVectorXd position = net_.limit_position();
+  for (Eigen::Index i = 0; i < offset.cols(); ++i) offset(0, i) -= position[net_.support(0)[i]];
+  return product(blend(0, u, v), offset);
 }
 
-void CapSector::build_fit() {
-  const std::vector<Sample> samples = fit_samples(shape_);
-  const int count = static_cast<int>(samples.size()), valence = net_.valence();
-  const double angle = 2 * std::acos(-1.0) / valence;
-  Eigen::MatrixXd surface = Eigen::MatrixXd::Zero(count * valence, net_.size());
-  Eigen::MatrixXd monomials(count * valence, coefficient_count(shape_));
-  for (int s = 0; s < count; ++s) {
-    const auto [u, v, area] = samples[s];
-    const Derivatives b = blend(u, v);
-    const double weight = std::sqrt(area * (b[1] * b[1] + b[2] * b[2]));
-    const Eigen::RowVectorXd here = net_.basis(u, v).row(0);
-    const Eigen::RowVector2d xy = here * characteristic_;
-    for (int sector = 0; sector < valence; ++sector) {
-      const int row = sector * count + s;
-      surface(row, 0) = weight * here[0];
-      for (int i = 1; i < net_.size(); ++i) {
-        surface(row, 1 + (i - 1 + 12 * sector) % (net_.size() - 1)) = weight * here[i];
+/// With z the complex coordinate in sector 0, the sector sees z as e^(i angle) z: monomials by the binomials of
+/// (c x - s y)^(k-l) (s x + c y)^l.
+void CapSector::build_turns() {
+  const double angle = 2 * std::numbers::pi / net_.valence();
+  for (int sector = 0; sector < net_.valence(); ++sector) {
+    const double c = std::cos(sector * angle), s = std::sin(sector * angle);
+    Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(coefficient_count(shape_), coefficient_count(shape_));
+    turn(0, 0) = 1;
+    for (int k = 1; k <= degree(shape_); ++k) {
+      for (int l = 0; l <= k; ++l) {
+        // One factor more than a monomial of degree k - 1: x turned where there is one, else y.
+        const double along_x = l < k ? c : s, along_y = l < k ? -s : c;
+        const int before = monomial(k - 1, l < k ? l : k - 1);
+        for (int m = 0; m < k; ++m) {
+          turn(monomial(k, m), monomial(k, l)) += along_x * turn(monomial(k - 1, m), before);
+          turn(monomial(k, m + 1), monomial(k, l)) += along_y * turn(monomial(k - 1, m), before);
+        }
       }
-      const double c = std::cos(sector * angle), d = std::sin(sector * angle);
-      const double x = c * xy[0] - d * xy[1], y = d * xy[0] + c * xy[1];
-      int column = 0;
-      for (int k = 0; k <= degree(shape_); ++k) {
-        for (int l = 0; l <= k; ++l) monomials(row, column++) = weight * std::pow(x, k - l) * std::pow(y, l);
+    }
+    turns_.push_back(std::move(turn));
+  }
+}
+
+namespace {
+
+/// Of least squares over all sectors, from what sector 0 sees of polynomials and of the surface.
+struct NormalEquations {
+  Eigen::MatrixXd gram, moments;
+
+  /// Adds up the sectors by turning what sector 0 contributes.
+  void turn(const std::vector<Eigen::MatrixXd>& turns) {
+    const NormalEquations here = *this;
+    const Eigen::Index ring = moments.cols() - 1, per_sector = ring / static_cast<Eigen::Index>(turns.size());
+    gram.setZero();
+    moments.setZero();
+    for (std::size_t sector = 0; sector < turns.size(); ++sector) {
+      gram += turns[sector].transpose() * here.gram * turns[sector];
+      const Eigen::MatrixXd turned = turns[sector].transpose() * here.moments;
+      const Eigen::Index shift = per_sector * static_cast<Eigen::Index>(sector);
+      moments.col(0) += turned.col(0);
+      moments.rightCols(ring - shift) += turned.middleCols(1, ring - shift);
+      moments.middleCols(1, shift) += turned.rightCols(shift);
+    }
+  }
+};
+
+}  // namespace
+
+/// By normal equations, the second time with the polynomials that the first time's Cholesky factor makes orthonormal,
+/// so that they are as accurate as a QR factorization.
+void CapSector::build_fit() {
+  const int count = coefficient_count(shape_), cells = cell_count(shape_);
+  std::vector<Eigen::MatrixXd> surfaces(cells), polynomials(cells);
+  for (int cell = 0; cell < cells; ++cell) {
+    const std::vector<Sample> samples = fit_samples(shape_, cell);
+    Eigen::MatrixXd &surface = surfaces[cell], &monomials = polynomials[cell];
+    surface.resize(samples.size(), net_.support(cell).size());
+    monomials.resize(count, samples.size());
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+      const auto [u, v, area] = samples[s];
+      const Derivatives b = blend(cell, u, v);
+      const double weight = std::sqrt(area * (b[1] * b[1] + b[2] * b[2]));
+      const Eigen::RowVectorXd here = net_.face_basis(cell, u, v).row(0);
+      const Eigen::RowVector2d xy = here.lazyProduct(characteristic_[cell]);
+      const auto column = static_cast<Eigen::Index>(s);
+      surface.row(column) = weight * here;
+      monomials(0, column) = weight;
+      for (int k = 1; k <= degree(shape_); ++k) {
+        for (int l = 0; l < k; ++l) monomials(monomial(k, l), column) = xy[0] * monomials(monomial(k - 1, l), column);
+        monomials(monomial(k, k), column) = xy[1] * monomials(monomial(k - 1, k - 1), column);
       }
     }
   }
-  fit_ = monomials.householderQr().solve(surface);
+  const auto equations = [&](const std::vector<Eigen::MatrixXd>& turns) {
+    NormalEquations sums{Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, net_.size())};
+    for (int cell = 0; cell < cells; ++cell) {
+      sums.gram += polynomials[cell] * polynomials[cell].transpose();
+      const Eigen::MatrixXd products = polynomials[cell] * surfaces[cell];
+      for (Eigen::Index i = 0; i < products.cols(); ++i) sums.moments.col(net_.support(cell)[i]) += products.col(i);
+    }
+    sums.turn(turns);
+    return sums;
+  };
+  const Eigen::LLT<Eigen::MatrixXd> first(equations(turns_).gram);
+  const auto lower = first.matrixL();
+  std::vector<Eigen::MatrixXd> turns;
+  for (const Eigen::MatrixXd& turn : turns_) {
+    turns.push_back(lower.solve(Eigen::MatrixXd((lower.transpose() * turn).transpose())).transpose());
+  }
+  for (Eigen::MatrixXd& values : polynomials) lower.solveInPlace(values);
+  const NormalEquations second = equations(turns);
+  fit_ = lower.transpose().solve(Eigen::MatrixXd(second.gram.llt().solve(second.moments)));
 }
 
 const CapSector& cap_sector(int valence, CapShape shape) {

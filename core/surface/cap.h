@@ -9,7 +9,8 @@
 /// Q       plane or polynomial that replaces S at the extraordinary vertex
 #pragma once
 
-#include <memory>
+#include <array>
+#include <vector>
 
 #include "surface/ring_net.h"
 
@@ -42,25 +43,32 @@ class CapSector {
   const RingNet& net() const { return net_; }
   CapShape shape() const { return shape_; }
 
-  /// X's basis at (u, v) of the sector: 10 x (net size + coefficients). For `kFlat` this is S; see `flattening`.
-  DerivativeRows basis(double u, double v) const;
+  /// X's basis at (u, v) of a face of the sector, (u, v) in [0, 1]^2: 10 x (net().support(cell) + coefficients). For
+  /// `kFlat` this is S; see `flattening`.
+  DerivativeRows basis(int cell, double u, double v) const;
 
-  /// `kFlat`: derivatives of b (basis - limit position), 10 x net size: X = S - (flattening P n) n^T with n the unit
-  /// normal at the extraordinary vertex.
+  /// `kFlat`: derivatives of b (basis - limit position), 10 x net().support(0): X = S - (flattening P n) n^T with n the
+  /// unit normal at the extraordinary vertex.
   DerivativeRows flattening(double u, double v) const;
 
   /// The coefficients of Q in the sector's own coordinates as a linear function of the net, coefficients x net size:
   /// the weighted least-squares fit to S where b varies (second ring; for one ring the whole of it), weight |grad b|^2.
   const Eigen::MatrixXd& fit() const { return fit_; }
 
+  /// All sectors see one polynomial: the coefficients in the coordinates of a sector as a linear function of those in
+  /// sector 0's, coefficients x coefficients.
+  const Eigen::MatrixXd& turn(int sector) const { return turns_[sector]; }
+
  private:
-  Derivatives blend(double u, double v) const;
-  DerivativeRows polynomials(const DerivativeRows& surface) const;
+  Derivatives blend(int cell, double u, double v) const;
+  DerivativeRows polynomials(const Derivatives& x, const Derivatives& y) const;
+  void build_turns();
   void build_fit();
 
   RingNet net_;
   CapShape shape_;
-  Eigen::Matrix<double, Eigen::Dynamic, 2> characteristic_;
+  std::array<Eigen::Matrix<double, Eigen::Dynamic, 2>, 4> characteristic_;  ///< on the support of each face
+  std::vector<Eigen::MatrixXd> turns_;
   Eigen::MatrixXd fit_;
 };
 

@@ -16,20 +16,17 @@ constexpr int round_up(int count, int multiple) { return (count + multiple - 1) 
 KernelTable make_table(const PatchKind& kind, const QuadratureRule& rule) {
   std::vector<Sample> samples = samples_of(kind, rule);
   pad_samples(samples, kSampleMultiple);
-  BasisTable plain = basis_table(kind, samples, 1, kDerivativeCount);
   KernelTable table;
-  table.samples = plain.samples;
-  table.columns = round_up(plain.columns, kColumnMultiple);
+  table.samples = static_cast<int>(samples.size());
+  table.columns = round_up(patch_columns(kind).count(), kColumnMultiple);
   table.stride = round_up(table.rows(), kCacheLine / sizeof(double));
-  table.weights = std::move(plain.weights);
-  const auto aligned = [&](const Eigen::MatrixXd& values) {
-    AlignedDoubles copy(static_cast<std::size_t>(table.stride) * table.columns);
-    Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>(copy.data(), values.rows(), values.cols(),
-                                                         Eigen::OuterStride<>(table.stride)) = values;
-    return copy;
-  };
-  table.basis = aligned(plain.basis);
-  if (kind.shape == CapShape::kFlat) table.flattening = aligned(plain.flattening);
+  table.weights.resize(table.samples);
+  for (int s = 0; s < table.samples; ++s) table.weights[s] = samples[s].weight;
+  const std::size_t size = static_cast<std::size_t>(table.stride) * table.columns;
+  table.basis.resize(size);
+  if (kind.shape == CapShape::kFlat) table.flattening.resize(size);
+  write_basis(kind, samples, 1, kDerivativeCount, {table.basis.data(), table.stride},
+              {table.flattening.data(), table.stride});
   return table;
 }
 

@@ -187,16 +187,8 @@ void PatchLayout::add_patch(PatchKind kind, int halfedge, int cap, const std::ve
 
 namespace {
 
-/// Calls `visit(point, weight, coefficient row)` for sector by sector of a cap's fit.
-template <class Visit>
-void for_each_sector(const Cap& cap, const Visit& visit) {
-  const Eigen::MatrixXd& fit = cap_sector(cap.valence, cap.shape).fit();
-  const int size = static_cast<int>(fit.cols());
-  for (int sector = 0; sector < cap.valence; ++sector) {
-    const auto rotated = [&](int i) { return cap.net[i == 0 ? 0 : 1 + (i - 1 + 12 * sector) % (size - 1)]; };
-    visit(fit, rotated, cap.first_coefficient + sector * static_cast<int>(fit.rows()));
-  }
-}
+/// Of a cap's polynomial, in the coordinates of sector 0.
+using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 15, 3>;
 
 }  // namespace
 
@@ -211,27 +203,33 @@ void PatchLayout::extend(const Points& control, Points& points) const {
   points.resize(point_count_, 3);
   points.topRows(control_count_) = control;
   for (const Cap& cap : caps_) {
-    if (coefficient_count(cap.shape) == 0) continue;
-    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const auto& net, int first) {
-      auto coefficients = points.middleRows(first, fit.rows());
-      coefficients.setZero();
-      for (int i = 0; i < fit.cols(); ++i) {
-        if (net(i) >= 0) coefficients.noalias() += fit.col(i) * control.row(net(i));
-      }
-    });
+    const int count = coefficient_count(cap.shape);
+    if (count == 0) continue;
+    const CapSector& sector = cap_sector(cap.valence, cap.shape);
+    Coefficients coefficients = Coefficients::Zero(count, 3);
+    for (int i = 0; i < sector.fit().cols(); ++i) {
+      if (cap.net[i] >= 0) coefficients.noalias() += sector.fit().col(i) * control.row(cap.net[i]);
+    }
+    for (int j = 0; j < cap.valence; ++j) {
+      points.middleRows(cap.first_coefficient + j * count, count) = sector.turn(j).lazyProduct(coefficients);
+    }
   }
 }
 
 void PatchLayout::pull_back(Points& gradient) const {
   assert(gradient.rows() == point_count_);
   for (const Cap& cap : caps_) {
-    if (coefficient_count(cap.shape) == 0) continue;
-    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const auto& net, int first) {
-      for (int i = 0; i < fit.cols(); ++i) {
-        if (net(i) >= 0)
-          gradient.row(net(i)).noalias() += fit.col(i).transpose() * gradient.middleRows(first, fit.rows());
-      }
-    });
+    const int count = coefficient_count(cap.shape);
+    if (count == 0) continue;
+    const CapSector& sector = cap_sector(cap.valence, cap.shape);
+    Coefficients coefficients = Coefficients::Zero(count, 3);
+    for (int j = 0; j < cap.valence; ++j) {
+      const auto here = gradient.middleRows(cap.first_coefficient + j * count, count);
+      coefficients += sector.turn(j).transpose().lazyProduct(here);
+    }
+    for (int i = 0; i < sector.fit().cols(); ++i) {
+      if (cap.net[i] >= 0) gradient.row(cap.net[i]) += sector.fit().col(i).transpose().lazyProduct(coefficients);
+    }
   }
 }
 
@@ -239,14 +237,17 @@ SparseMatrix PatchLayout::extension() const {
   std::vector<Eigen::Triplet<double>> entries;
   for (int v = 0; v < control_count_; ++v) entries.emplace_back(v, v, 1);
   for (const Cap& cap : caps_) {
-    if (coefficient_count(cap.shape) == 0) continue;
-    for_each_sector(cap, [&](const Eigen::MatrixXd& fit, const auto& net, int first) {
+    const int count = coefficient_count(cap.shape);
+    if (count == 0) continue;
+    const CapSector& sector = cap_sector(cap.valence, cap.shape);
+    for (int j = 0; j < cap.valence; ++j) {
+      const Eigen::MatrixXd fit = sector.turn(j) * sector.fit();
       for (int i = 0; i < fit.cols(); ++i) {
-        for (int k = 0; k < fit.rows(); ++k) {
-          if (net(i) >= 0) entries.emplace_back(first + k, net(i), fit(k, i));
+        for (int k = 0; k < count && cap.net[i] >= 0; ++k) {
+          entries.emplace_back(cap.first_coefficient + j * count + k, cap.net[i], fit(k, i));
         }
       }
-    });
+    }
   }
   SparseMatrix matrix(point_count_, control_count_);
   matrix.setFromTriplets(entries.begin(), entries.end());

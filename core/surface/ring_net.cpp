@@ -15,12 +15,21 @@ namespace {
 
 constexpr int kPerSector = RingNet::kRings * (RingNet::kRings + 1);
 
+/// Powers of the step that are kept: as many as graded rules mostly need.
+constexpr int kKeptRefinements = 5;
+
+/// Of a value in rising values.
+int place(const std::vector<int>& rising, int value) {
+  return static_cast<int>(std::lower_bound(rising.begin(), rising.end(), value) - rising.begin());
+}
+
 }  // namespace
 
 RingNet::RingNet(int valence) : valence_(valence), step_(12 * valence + 1, 12 * valence + 1) {
   assert(valence >= 3);
   build_step();
   build_limit_tangents();
+  build_refinements();
 }
 
 int RingNet::index(int sector, int a, int b) const {
@@ -59,40 +68,90 @@ void RingNet::build_step() {
   step_.setFromTriplets(entries.begin(), entries.end());
 }
 
-DerivativeRows RingNet::regular_basis(double u, double v) const {
-  const int i = std::min(static_cast<int>(u), kRings - 2), j = std::min(static_cast<int>(v), kRings - 2);
-  assert(i + j > 0);
-  const Eigen::Matrix4d along_u = cubic_bspline(u - i), along_v = cubic_bspline(v - j);
-  DerivativeRows rows = DerivativeRows::Zero(kDerivativeCount, size());
-  for (int a = 0; a < 4; ++a) {
-    for (int b = 0; b < 4; ++b) {
-      const int column = index(0, i + a - 1, j + b - 1);
-      for (int d = 0; d < kDerivativeCount; ++d) rows(d, column) += along_u(kOrderU[d], a) * along_v(kOrderV[d], b);
+void RingNet::build_refinements() {
+  std::array<std::array<int, 16>, 4> points{};
+  for (int cell = 1; cell < 4; ++cell) {
+    for (int i = 0; i < 16; ++i) points[cell][i] = index(0, cell % 2 + i % 4 - 1, cell / 2 + i / 4 - 1);
+    support_[cell].assign(points[cell].begin(), points[cell].end());
+    std::sort(support_[cell].begin(), support_[cell].end());
+    for (int i = 0; i < 16; ++i) grids_[cell][i] = place(support_[cell], points[cell][i]);
+  }
+  // A step takes the control points of the cells 1 to 3 from those that decide cell 0, and these from one another.
+  std::vector<int>& near = support_[0];
+  for (int cell = 1; cell < 4; ++cell) {
+    for (const int row : points[cell]) {
+      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(step_, row); entry; ++entry) {
+        near.push_back(static_cast<int>(entry.index()));
+      }
     }
   }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  const auto rows_of = [&](const auto& rows) {
+    Rows result = Rows::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(near.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(step_, rows[i]); entry; ++entry) {
+        result(static_cast<Eigen::Index>(i), place(near, static_cast<int>(entry.index()))) = entry.value();
+      }
+    }
+    return result;
+  };
+  step_near_ = rows_of(near);
+  refined_.resize(kKeptRefinements);
+  for (int cell = 1; cell < 4; ++cell) {
+    refined_[0][cell] = rows_of(points[cell]);
+    for (int n = 1; n < kKeptRefinements; ++n) refined_[n][cell] = refined_[n - 1][cell] * step_near_;
+  }
+}
+
+DerivativeRows RingNet::face_basis(int cell, double u, double v) const {
+  assert(u >= 0 && v >= 0 && std::max(u, v) > 0 && std::max(u, v) <= 1);
+  int steps = 0;
+  if (cell == 0) {
+    for (; std::max(u, v) <= 1; ++steps) {
+      u *= 2;
+      v *= 2;
+    }
+    cell = std::min(static_cast<int>(u), 1) + 2 * std::min(static_cast<int>(v), 1);
+    u -= cell % 2;
+    v -= cell / 2;
+  }
+  const Eigen::Matrix4d along_u = cubic_bspline(u), along_v = cubic_bspline(v);
+  if (steps == 0) {
+    DerivativeRows rows(kDerivativeCount, 16);
+    for (int i = 0; i < 16; ++i) {
+      for (int d = 0; d < kDerivativeCount; ++d) {
+        rows(d, grids_[cell][i]) = along_u(kOrderU[d], i % 4) * along_v(kOrderV[d], i / 4);
+      }
+    }
+    return rows;
+  }
+  // The control points along v, then along u, as functions of the support.
+  const int kept = std::min(steps, kKeptRefinements);
+  const Rows& points = refined_[kept - 1][cell];
+  const Eigen::Index count = points.cols();
+  Eigen::Matrix<double, kDerivativeCount, Eigen::Dynamic, Eigen::RowMajor> rows(kDerivativeCount, count);
+  Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::RowMajor> along(4, count);
+  for (int l = 0; l < 4; ++l) {
+    for (int a = 0; a < 4; ++a) {
+      along.row(a) = along_v(l, 0) * points.row(a) + along_v(l, 1) * points.row(4 + a) +
+                     along_v(l, 2) * points.row(8 + a) + along_v(l, 3) * points.row(12 + a);
+    }
+    for (int k = 0; k + l < 4; ++k) {
+      rows.row(derivative_index(k, l)) =
+          std::ldexp(1.0, steps * (k + l)) * (along_u(k, 0) * along.row(0) + along_u(k, 1) * along.row(1) +
+                                              along_u(k, 2) * along.row(2) + along_u(k, 3) * along.row(3));
+    }
+  }
+  for (int s = kept; s < steps; ++s) rows = (rows * step_near_).eval();
   return rows;
 }
 
 DerivativeRows RingNet::basis(double u, double v) const {
-  assert(u >= 0 && v >= 0 && std::max(u, v) > 0 && std::max(u, v) <= 2);
-  int steps = 0;
-  for (; std::max(u, v) < 1; ++steps) {
-    u *= 2;
-    v *= 2;
-  }
-  DerivativeRows rows = regular_basis(u, v);
-  for (int s = 0; s < steps; ++s) {
-    // rows * step, past the many columns that are still zero.
-    DerivativeRows finer = DerivativeRows::Zero(kDerivativeCount, size());
-    for (int i = 0; i < size(); ++i) {
-      if ((rows.col(i).array() == 0).all()) continue;
-      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(step_, i); entry; ++entry) {
-        finer.col(entry.index()) += entry.value() * rows.col(i);
-      }
-    }
-    rows.swap(finer);
-  }
-  for (int d = 0; d < kDerivativeCount; ++d) rows.row(d) *= std::ldexp(1.0, steps * (kOrderU[d] + kOrderV[d]));
+  const int i = std::min(static_cast<int>(u), 1), j = std::min(static_cast<int>(v), 1), cell = i + 2 * j;
+  const DerivativeRows near = face_basis(cell, u - i, v - j);
+  DerivativeRows rows = DerivativeRows::Zero(kDerivativeCount, size());
+  for (Eigen::Index c = 0; c < near.cols(); ++c) rows.col(support_[cell][c]) = near.col(c);
   return rows;
 }
 

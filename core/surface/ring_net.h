@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <array>
 #include <vector>
 
 #include "surface/derivatives.h"
@@ -29,10 +30,15 @@ class RingNet {
   /// One Catmull-Clark step of the net onto the same rings of the refined net, size x size.
   const Eigen::SparseMatrix<double, Eigen::RowMajor>& step() const { return step_; }
 
-  /// Derivatives in (u, v) of the limit surface's basis functions at a point of sector 0, (u, v) in [0, 2]^2 without
-  /// (0, 0); 10 x size. Repeated exact refinement until the point lies in a regular face, as Stam 1998 with the matrix
-  /// power not diagonalized; derivatives of order 3 lose a factor 8 in absolute accuracy with every halving of the
-  /// distance.
+  /// The control points that decide the limit surface over the face (cell % 2, cell / 2) of sector 0, rising.
+  const std::vector<int>& support(int cell) const { return support_[cell]; }
+
+  /// Derivatives in (u, v) of the limit surface's basis functions at a point of a face, (u, v) in [0, 1]^2 and in cell
+  /// 0 without (0, 0); 10 x support. Exact refinement until the point lies in a regular face, as Stam 1998 with the
+  /// matrix power not diagonalized; derivatives of order 3 lose a factor 8 in absolute accuracy with every halving of
+  /// the distance.
+  DerivativeRows face_basis(int cell, double u, double v) const;
+  /// The same at a point of sector 0, (u, v) in [0, 2]^2 without (0, 0), over all control points; 10 x size.
   DerivativeRows basis(double u, double v) const;
 
   /// Weights of the limit position of the extraordinary vertex; 1 x size.
@@ -48,13 +54,20 @@ class RingNet {
   Eigen::Matrix<double, Eigen::Dynamic, 2> characteristic_net() const;
 
  private:
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
   void build_step();
   void build_limit_tangents();
-  DerivativeRows regular_basis(double u, double v) const;
+  void build_refinements();
 
   int valence_;
   Eigen::SparseMatrix<double, Eigen::RowMajor> step_;
   Eigen::Matrix<double, 2, Eigen::Dynamic> limit_tangents_;
+  std::array<std::vector<int>, 4> support_;
+  std::array<std::array<int, 16>, 4> grids_{};  ///< of cells 1 to 3: where the 4 x 4 control points, u fastest, stand
+  /// Of the cells 1 to 3 of the net after 1, 2, … steps: their 4 x 4 control points by the support of cell 0.
+  std::vector<std::array<Rows, 4>> refined_;
+  Rows step_near_;  ///< the step on the support of cell 0
 };
 
 }  // namespace umbilic

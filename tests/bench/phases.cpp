@@ -41,8 +41,9 @@ std::string phases() {
   add("energy alone", best_seconds([&] { surface.energy().evaluate(refined.control, nullptr); }));
   (void)surface.report(refined.control);
   add("all energies by the reporting rule", best_seconds([&] { (void)surface.report(refined.control); }));
-  add("limit mesh, 4 x 4 quads per patch",
-      best_seconds([&] { (void)tessellate(surface.mesh(), surface.layout(), refined.control, 4); }));
+  add("limit mesh, 4 x 4 quads per patch", best_seconds([&] {
+        (void)tessellate(surface.mesh(), surface.symmetry(), surface.layout(), refined.control, 4);
+      }));
   return joined(rows);
 }
 

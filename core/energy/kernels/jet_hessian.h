@@ -4,7 +4,8 @@
 ///
 /// f(jet) = weight (rho |X_u x X_v| + area_factor |X_u x X_v|). C is linear in the third derivatives, and only in their
 /// normal parts, so that their own block is n n^T times a 4 x 4 matrix of the density, and directions along first and
-/// second derivatives suffice for the rest.
+/// second derivatives suffice for the rest. Without C the same is true of II and the second derivatives, and directions
+/// along the first suffice.
 #pragma once
 
 #include "energy/densities.h"
@@ -35,8 +36,13 @@ class JetHessian {
   static constexpr int kSize = 3 * kDerivatives;
 
   JetHessian(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight) {
-    for (int d = 0; d < kSecondOrderCount; ++d) along_derivative(f, jet, weight, d);
-    if constexpr (kThird) along_third(f, jet, weight);
+    constexpr int kDirections = kThird ? kSecondOrderCount : kFirstOrderCount;
+    for (int d = 0; d < kDirections; ++d) along_derivative(f, jet, weight, d);
+    if constexpr (kThird) {
+      along_third(f, jet, weight);
+    } else {
+      along_second(f, jet, weight);
+    }
   }
 
   const T& operator()(int i, int j) const { return entries_[i][j]; }
@@ -73,6 +79,32 @@ class JetHessian {
     }
   }
 
+  /// The block of the second derivatives, where C does not count.
+  void along_second(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight) {
+    const CurvatureFrame<T, false> frame(jet);
+    const Curvature<T>& k = frame.value();
+    using Number = DualNumber<T, 3>;
+    Curvature<Number> moved, adjoint{};
+    moved.p = Number(k.p);
+    moved.q = Number(k.q);
+    moved.r = Number(k.r);
+    for (int i = 0; i < 3; ++i) {
+      T x[3] = {}, form[3];
+      x[i] += 1.0;
+      frame.second_to_frame(x, form);
+      moved.p.tangent[i] = form[0];
+      moved.q.tangent[i] = form[1];
+      moved.r.tangent[i] = form[2];
+    }
+    weighted_density<false>(f.weights, moved, Number(weight * k.area), adjoint);
+    for (int i = 0; i < 3; ++i) {
+      const T form[3] = {adjoint.p.tangent[i], adjoint.q.tangent[i], adjoint.r.tangent[i]};
+      T x[3];
+      frame.second_from_frame(form, x);
+      store_normal_block(frame.normal(), 2 + i, 2, x);
+    }
+  }
+
   /// The block of the third derivatives.
   void along_third(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight) {
     const CurvatureFrame<T, true> frame(jet);
@@ -90,16 +122,21 @@ class JetHessian {
       for (int j = 0; j < 4; ++j) moved.c[j].tangent[i] = c[j];
     }
     weighted_density<true>(f.weights, moved, Number(weight * k.area), adjoint);
-    const Vec3<T>& normal = frame.normal();
-    const T n[3] = {normal.x, normal.y, normal.z};
     for (int i = 0; i < 4; ++i) {
       T c[4], t[4];
       for (int j = 0; j < 4; ++j) c[j] = adjoint.c[j].tangent[i];
       frame.third_from_frame(c, t);
-      for (int j = 0; j < 4; ++j) {
-        for (int a = 0; a < 3; ++a) {
-          for (int b = 0; b < 3; ++b) entries_[index(5 + i, a)][index(5 + j, b)] = n[a] * n[b] * t[j];
-        }
+      store_normal_block(frame.normal(), 5 + i, 5, t);
+    }
+  }
+
+  /// Entries n n^T t[j] between the derivatives d and first + j.
+  template <int kCount>
+  void store_normal_block(const Vec3<T>& normal, int d, int first, const T (&t)[kCount]) {
+    const T n[3] = {normal.x, normal.y, normal.z};
+    for (int j = 0; j < kCount; ++j) {
+      for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) entries_[index(d, a)][index(first + j, b)] = n[a] * n[b] * t[j];
       }
     }
   }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Contracts the jets' Hessians with the basis, several samples at a time.
+///
+/// Of every two coordinates the patch's matrix is B^T (D B) with B the basis functions' derivatives at all samples and
+/// D the jets' Hessians: a product of long columns, in tiles that stay in registers.
 #include "energy/kernels/patch_hessian.h"
 
 #include "base/lanes.h"
@@ -15,83 +18,146 @@ using L = ShortLanes;
 constexpr int kPairs = 6;
 constexpr int kFirst[kPairs] = {0, 1, 1, 2, 2, 2}, kSecond[kPairs] = {0, 0, 1, 0, 1, 2};
 
-/// products[d * columns + j] = sum over e of D(c, d; other, e) times basis function j's derivative e.
-template <int kDerivatives, class Hessian>
-void apply(const Hessian& hessian, int c, int other, const double* basis, int stride, int samples, int columns,
-           L* products) {
-  constexpr int kTall = kDerivatives == kThirdOrderCount ? 3 : 5, kWide = kDerivatives == kThirdOrderCount ? 4 : 2;
-  for (int j = 0; j < columns; j += kWide) {
-    for (int d = 0; d < kDerivatives; d += kTall) {
-      L tile[kTall][kWide] = {};
-      for (int e = 0; e < kDerivatives; ++e) {
-        L function[kWide];
-        for (int b = 0; b < kWide; ++b) function[b] = load_lanes<L>(basis + (j + b) * stride + e * samples);
-        for (int a = 0; a < kTall; ++a) {
-          const L entry = hessian(c * kDerivatives + d + a, other * kDerivatives + e);
-          for (int b = 0; b < kWide; ++b) tile[a][b] += entry * function[b];
-        }
+/// Tiles of basis functions whose sums stay in registers.
+constexpr int kTileRows = 4, kTileColumns = kLaneCount == 8 ? 4 : 2;
+
+/// The samples [begin, begin + count) of a patch: row (derivative, sample) of a column, padded with zeros to whole
+/// lanes.
+struct Part {
+  int begin, count;
+  int rows, stride;
+
+  Part(int first, int samples, int derivatives)
+      : begin(first),
+        count(samples),
+        rows(derivatives * samples),
+        stride((rows + kLaneCount - 1) / kLaneCount * kLaneCount) {}
+};
+
+/// packed[column * stride + d * count + s]: the basis functions' derivatives at the part's samples.
+template <int kDerivatives>
+void pack(const Part& part, const double* basis, const HessianPatch& patch, double* packed) {
+  for (int j = 0; j < patch.columns; ++j, basis += patch.stride, packed += part.stride) {
+    for (int d = 0; d < kDerivatives; ++d) {
+      for (int s = 0; s < part.count; s += kShortLaneCount) {
+        store_lanes(packed + d * part.count + s, load_lanes<L>(basis + d * patch.samples + part.begin + s));
       }
-      for (int a = 0; a < kTall; ++a) {
-        for (int b = 0; b < kWide; ++b) products[(d + a) * columns + j + b] = tile[a][b];
+    }
+    for (int row = part.rows; row < part.stride; ++row) packed[row] = 0;
+  }
+}
+
+/// The Hessians of the jets at the part's samples, pair of coordinates by pair: [pair][group of samples][d][e].
+template <bool kThird>
+void jet_hessians(const Part& part, const HessianPatch& patch, const WeightedIntegrand& f, double* hessians) {
+  constexpr int kDerivatives = kThird ? kThirdOrderCount : kSecondOrderCount;
+  constexpr int kEntries = kDerivatives * kDerivatives * kShortLaneCount;
+  const int groups = part.count / kShortLaneCount;
+  for (int group = 0; group < groups; ++group) {
+    const int s = part.begin + group * kShortLaneCount;
+    const Jet<L> jet = load_jet<kThird, L>(patch.jets + s, patch.samples, kDerivatives);
+    const JetHessian<kThird, L> hessian(f, jet, load_lanes<L>(patch.weights + s));
+    for (int pair = 0; pair < kPairs; ++pair) {
+      double* to = hessians + (pair * groups + group) * kEntries;
+      for (int d = 0; d < kDerivatives; ++d) {
+        for (int e = 0; e < kDerivatives; ++e, to += kShortLaneCount) {
+          store_lanes(to, hessian(kFirst[pair] * kDerivatives + d, kSecond[pair] * kDerivatives + e));
+        }
       }
     }
   }
 }
 
-/// sums[i * columns + j] += sum over d of basis function i's derivative d times products[d][j], a tile of 4 x 2 at a
-/// time.
+/// products[column * stride + d * count + s] = sum over e of D(d, e) times the basis function's derivative e.
 template <int kDerivatives>
-void accumulate(const double* basis, int stride, int samples, int columns, const L* products, bool symmetric, L* sums) {
-  for (int i = 0; i < columns; i += 4) {
-    const double* row = basis + i * stride;
-    const int last = symmetric ? i + 4 : columns;
-    for (int j = 0; j < last; j += 2) {
-      L tile[4][2];
-      for (int a = 0; a < 4; ++a) {
-        for (int b = 0; b < 2; ++b) tile[a][b] = sums[(i + a) * columns + j + b];
-      }
-      for (int d = 0; d < kDerivatives; ++d) {
-        const L left = products[d * columns + j], right = products[d * columns + j + 1];
-        for (int a = 0; a < 4; ++a) {
-          const L function = load_lanes<L>(row + a * stride + d * samples);
-          tile[a][0] += function * left;
-          tile[a][1] += function * right;
+void apply(const Part& part, const double* hessians, const double* packed, int columns, double* products) {
+  constexpr int kTall = kDerivatives == kThirdOrderCount ? 3 : 5, kWide = kDerivatives == kThirdOrderCount ? 4 : 2;
+  for (int s = 0; s < part.count; s += kShortLaneCount, hessians += kDerivatives * kDerivatives * kShortLaneCount) {
+    for (int j = 0; j < columns; j += kWide) {
+      const double* functions = packed + j * part.stride + s;
+      double* to = products + j * part.stride + s;
+      for (int d = 0; d < kDerivatives; d += kTall) {
+        L tile[kTall][kWide] = {};
+        for (int e = 0; e < kDerivatives; ++e) {
+          L function[kWide];
+          for (int b = 0; b < kWide; ++b) function[b] = load_lanes<L>(functions + b * part.stride + e * part.count);
+          for (int a = 0; a < kTall; ++a) {
+            const L entry = load_lanes<L>(hessians + ((d + a) * kDerivatives + e) * kShortLaneCount);
+            for (int b = 0; b < kWide; ++b) tile[a][b] += entry * function[b];
+          }
+        }
+        for (int a = 0; a < kTall; ++a) {
+          for (int b = 0; b < kWide; ++b) store_lanes(to + b * part.stride + (d + a) * part.count, tile[a][b]);
         }
       }
-      for (int a = 0; a < 4; ++a) {
-        for (int b = 0; b < 2; ++b) sums[(i + a) * columns + j + b] = tile[a][b];
+    }
+  }
+}
+
+/// sums[i * row_length + j] += the product of the columns i of `packed` and j of `products`, a tile at a time.
+void accumulate(const Part& part, const double* packed, const double* products, int columns, bool symmetric,
+                double* sums, int row_length) {
+  for (int i = 0; i < columns; i += kTileRows) {
+    const int last = symmetric ? i + kTileRows : columns;
+    for (int j = 0; j < last; j += kTileColumns) {
+      const double *left = packed + i * part.stride, *right = products + j * part.stride;
+      Lanes tile[kTileRows][kTileColumns] = {};
+      for (int row = 0; row < part.stride; row += kLaneCount) {
+        Lanes product[kTileColumns];
+        for (int b = 0; b < kTileColumns; ++b) product[b] = load_lanes(right + b * part.stride + row);
+        for (int a = 0; a < kTileRows; ++a) {
+          const Lanes function = load_lanes(left + a * part.stride + row);
+          for (int b = 0; b < kTileColumns; ++b) tile[a][b] += function * product[b];
+        }
+      }
+      for (int b = 0; b < kTileColumns; ++b) {
+        double totals[kTileRows];
+        sum_lanes_of_four({fold(tile[0][b]), fold(tile[1][b]), fold(tile[2][b]), fold(tile[3][b])}, totals);
+        for (int a = 0; a < kTileRows; ++a) sums[(i + a) * row_length + j + b] += totals[a];
       }
     }
   }
 }
 
 /// The next multiple of the size of lanes.
-void* aligned(double* scratch) {
+double* aligned(double* scratch) {
   const auto address = reinterpret_cast<__UINTPTR_TYPE__>(scratch);
-  return scratch + (sizeof(L) - address % sizeof(L)) % sizeof(L) / sizeof(double);
+  return scratch + (sizeof(Lanes) - address % sizeof(Lanes)) % sizeof(Lanes) / sizeof(double);
 }
 
 template <bool kThird>
 void contract(const HessianPatch& patch, const WeightedIntegrand& f, double* scratch, double* out) {
   constexpr int kDerivatives = kThird ? kThirdOrderCount : kSecondOrderCount;
-  const int columns = patch.columns, block = columns * columns;
-  L* sums = static_cast<L*>(aligned(scratch));
-  L* products = sums + kPairs * block;
-  for (int i = 0; i < kPairs * block; ++i) sums[i] = L{};
-  for (int s = 0; s < patch.samples; s += kShortLaneCount) {
-    const Jet<L> jet = load_jet<kThird, L>(patch.jets + s, patch.samples, kThirdOrderCount);
-    const JetHessian<kThird, L> hessian(f, jet, load_lanes<L>(patch.weights + s));
-    for (int pair = 0; pair < kPairs; ++pair) {
-      const int c = kFirst[pair], other = kSecond[pair];
-      apply<kDerivatives>(hessian, c, other, patch.basis[other] + s, patch.stride, patch.samples, columns, products);
-      accumulate<kDerivatives>(patch.basis[c] + s, patch.stride, patch.samples, columns, products, c == other,
-                               sums + pair * block);
+  constexpr int kAtATime = kThird ? HessianPatch::kThirdOrderSamplesAtATime : HessianPatch::kSamplesAtATime;
+  const int columns = patch.columns, row_length = 3 * columns;
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < columns; ++i) {
+      double* row = out + (c * columns + i) * row_length;
+      for (int j = 0; j < (c + 1) * columns; ++j) row[j] = 0;
     }
   }
-  for (int pair = 0; pair < kPairs; ++pair) {
-    double* to = out + kFirst[pair] * columns * 3 * columns + kSecond[pair] * columns;
-    for (int i = 0; i < columns; ++i) {
-      for (int j = 0; j < columns; ++j) to[i * 3 * columns + j] = sum_lanes(sums[pair * block + i * columns + j]);
+  double* hessians = aligned(scratch);
+  for (int begin = 0; begin < patch.samples; begin += kAtATime) {
+    const Part part(begin, patch.samples - begin < kAtATime ? patch.samples - begin : kAtATime, kDerivatives);
+    const int per_pair = kDerivatives * kDerivatives * part.count;
+    double* packed[3] = {hessians + kPairs * per_pair, nullptr, nullptr};
+    double* products = packed[0] + 2 * columns * part.stride;
+    jet_hessians<kThird>(part, patch, f, hessians);
+    pack<kDerivatives>(part, patch.basis[0], patch, packed[0]);
+    for (int c = 1; c < 3; ++c) {
+      packed[c] = packed[0];
+      if (patch.basis[c] == patch.basis[0]) continue;
+      packed[c] = packed[0] + columns * part.stride;
+      if (patch.basis[c] != patch.basis[c - 1]) pack<kDerivatives>(part, patch.basis[c], patch, packed[c]);
+    }
+    for (int j = 0; j < columns; ++j) {
+      for (int row = part.rows; row < part.stride; ++row) products[j * part.stride + row] = 0;
+    }
+    for (int pair = 0; pair < kPairs; ++pair) {
+      const int c = kFirst[pair], other = kSecond[pair];
+      apply<kDerivatives>(part, hessians + pair * per_pair, packed[other], columns, products);
+      accumulate(part, packed[c], products, columns, c == other, out + c * columns * row_length + other * columns,
+                 row_length);
     }
   }
 }

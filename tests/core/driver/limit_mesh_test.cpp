@@ -3,11 +3,16 @@
 /// Limit meshes: closed like their surface, with normals and curvatures that fit it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "cage/generate.h"
 #include "driver/run.h"
+#include "driver/surface.h"
+#include "driver/tessellate.h"
 
 namespace umbilic {
 namespace {
@@ -39,6 +44,34 @@ TEST(LimitMesh, is_a_closed_mesh_of_the_same_genus_with_density_squared_quads_pe
       EXPECT_EQ(report->genus, 2);
       EXPECT_EQ(cage.vertices.rows(), Eigen::Index(vertices));
       EXPECT_EQ(cage.faces, polygons(mesh).faces) << "quads are oriented outwards";
+    }
+  }
+}
+
+/// The quad's vertices from the least one on.
+std::array<int, 4> from_least(std::array<int, 4> quad) {
+  std::rotate(quad.begin(), std::min_element(quad.begin(), quad.end()), quad.end());
+  return quad;
+}
+
+TEST(LimitMesh, moved_by_the_symmetry_group_is_that_of_all_patches) {
+  for (const char* name : {"two-3", "tetrahedron-frame", "torus"}) {
+    for (const CapKind cap : {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth}) {
+      const RefinedCage cage = *refine_to_evaluable(*generate_cage(name), 1, true);
+      ASSERT_GT(cage.symmetry.order, 4);
+      const PatchLayout orbits(cage.mesh, cap, face_orbits(cage.mesh, cage.symmetry)), all(cage.mesh, cap);
+      const LimitMesh moved = tessellate(cage.mesh, cage.symmetry, orbits, cage.control, 3);
+      const LimitMesh plain = tessellate(cage.mesh, {}, all, cage.control, 3);
+      const double extent = plain.positions.cwiseAbs().maxCoeff(), curvature = plain.curvatures.cwiseAbs().maxCoeff();
+      EXPECT_LT((moved.positions - plain.positions).cwiseAbs().maxCoeff(), 1e-13 * extent) << name;
+      // Near extraordinary vertices derivatives lose digits to refinement.
+      EXPECT_LT((moved.normals - plain.normals).cwiseAbs().maxCoeff(), 1e-11) << name;
+      EXPECT_LT((moved.curvatures - plain.curvatures).cwiseAbs().maxCoeff(), 1e-9 * curvature) << name;
+      std::set<std::array<int, 4>> quads, expected;
+      for (const auto& quad : moved.quads) quads.insert(from_least(quad));
+      for (const auto& quad : plain.quads) expected.insert(from_least(quad));
+      EXPECT_EQ(quads, expected) << name;
+      EXPECT_EQ(quads.size(), plain.quads.size());
     }
   }
 }

@@ -61,7 +61,8 @@ TEST(PatchAssembly, of_blocks_is_the_sum_of_the_patches_matrices_times_their_mul
     SCOPED_TRACE(c.name);
     const Eigen::MatrixXd b(c.coordinates.matrix());
     const PatchAssembly assembly(c.layout, c.coordinates);
-    std::vector<double> values(assembly.nonzeros(), 0.0);
+    PatchSums sums;
+    assembly.clear(sums);
     Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(b.cols(), b.cols());
     Random random(3);
     for_each_patch(c.layout, [&](int s, int p) {
@@ -79,12 +80,13 @@ TEST(PatchAssembly, of_blocks_is_the_sum_of_the_patches_matrices_times_their_mul
           }
         }
       }
-      assembly.add(s, p, given.data(), padded, values);
+      assembly.add(s, p, given.data(), padded, sums);
       const Eigen::MatrixXd whole = over_control(block, local_points(c.layout, s, p));
       expected += set.multiplicities[p] * b.transpose() * whole * b;
     });
+    assembly.eliminate(sums);
     ASSERT_EQ(assembly.size(), c.coordinates.count());
-    EXPECT_LT((full(assembly.lower(values)) - expected).norm(), 1e-13 * expected.norm());
+    EXPECT_LT((full(assembly.lower(sums.values)) - expected).norm(), 1e-13 * expected.norm());
   }
 }
 
@@ -93,7 +95,9 @@ TEST(PatchAssembly, of_scalar_blocks_is_that_of_the_same_block_for_each_coordina
     SCOPED_TRACE(c.name);
     const Eigen::MatrixXd b(c.coordinates.matrix());
     const PatchAssembly assembly(c.layout, c.coordinates), scalar(c.layout);
-    std::vector<double> values(assembly.nonzeros(), 0.0), scalar_values(scalar.nonzeros(), 0.0);
+    PatchSums sums, scalar_sums;
+    assembly.clear(sums);
+    scalar.clear(scalar_sums);
     const int count = c.layout.control_count();
     Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(count, count);
     Random random(4);
@@ -104,23 +108,25 @@ TEST(PatchAssembly, of_scalar_blocks_is_that_of_the_same_block_for_each_coordina
       const Eigen::MatrixXd local = local_points(c.layout, s, p);
       expected += set.multiplicities[p] * local.transpose() * block * local;
       block.triangularView<Eigen::StrictlyUpper>().setConstant(kUnread);
-      assembly.add_scalar(s, p, block, values);
-      scalar.add_scalar(s, p, block, scalar_values);
+      assembly.add_scalar(s, p, block, sums);
+      scalar.add_scalar(s, p, block, scalar_sums);
     });
-    EXPECT_LT((full(scalar.lower(scalar_values)) - expected).norm(), 1e-13 * expected.norm());
+    assembly.eliminate(sums);
+    scalar.eliminate(scalar_sums);
+    EXPECT_LT((full(scalar.lower(scalar_sums.values)) - expected).norm(), 1e-13 * expected.norm());
     Eigen::MatrixXd three = Eigen::MatrixXd::Zero(3 * count, 3 * count);
     for (int i = 0; i < count; ++i) {
       for (int j = 0; j < count; ++j) three.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(expected(i, j));
     }
     const Eigen::MatrixXd reduced = b.transpose() * three * b;
-    EXPECT_LT((full(assembly.lower(values)) - reduced).norm(), 1e-13 * reduced.norm());
+    EXPECT_LT((full(assembly.lower(sums.values)) - reduced).norm(), 1e-13 * reduced.norm());
   }
 }
 
 TEST(PatchAssembly, adds_to_the_values_and_its_pattern_holds_each_entry_of_the_lower_triangle_once_in_order) {
   for (const Case& c : cases()) {
     const PatchAssembly assembly(c.layout, c.coordinates);
-    std::vector<double> values(assembly.nonzeros(), 1.0);
+    const std::vector<double> values(assembly.nonzeros(), 1.0);
     const Eigen::SparseMatrix<double> ones = assembly.lower(values);
     for (int column = 0; column < ones.outerSize(); ++column) {
       int previous = column - 1;
@@ -135,8 +141,12 @@ TEST(PatchAssembly, adds_to_the_values_and_its_pattern_holds_each_entry_of_the_l
     }
     const int columns = c.layout.sets()[0].columns;
     const std::vector<double> zero(static_cast<std::size_t>(9) * columns * columns, 0.0);
-    assembly.add(0, 0, zero.data(), columns, values);
-    EXPECT_EQ(values, std::vector<double>(assembly.nonzeros(), 1.0));
+    PatchSums sums;
+    assembly.clear(sums);
+    sums.values = values;
+    assembly.add(0, 0, zero.data(), columns, sums);
+    assembly.eliminate(sums);
+    EXPECT_EQ(sums.values, values);
   }
 }
 

@@ -52,12 +52,14 @@ Eigen::VectorXd hessian_times(const PatchLayout& layout, const Weights& weights,
   EnergyHessian hessian(layout, kRule, weights);
   hessian.move_to(control, energy.evaluate(control, nullptr));
   const PatchAssembly assembly(layout, Coordinates(layout.control_count()));
-  std::vector<double> values(assembly.nonzeros(), 0.0);
+  PatchSums sums;
+  assembly.clear(sums);
   for (int s = 0; s < static_cast<int>(layout.sets().size()); ++s) {
     for (int p = 0; p < layout.sets()[s].count(); ++p)
-      assembly.add(s, p, hessian.patch(s, p), hessian.columns(s), values);
+      assembly.add(s, p, hessian.patch(s, p), hessian.columns(s), sums);
   }
-  const Eigen::SparseMatrix<double> lower = assembly.lower(values);
+  assembly.eliminate(sums);
+  const Eigen::SparseMatrix<double> lower = assembly.lower(sums.values);
   Eigen::VectorXd product = lower.selfadjointView<Eigen::Lower>() * direction;
   if (energy.third_order()) {
     Points third, area;

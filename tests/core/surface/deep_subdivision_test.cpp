@@ -18,9 +18,8 @@ void expect_agreement(const Refined& mesh, const std::vector<Sample>& samples) {
   const DeepSubdivision deep(mesh.mesh, mesh.control);
   double worst[4] = {};
   for (const PatchSet& set : layout.sets()) {
-    const PatchColumns columns = patch_columns(set.kind);
     for (const Sample& s : samples) {
-      const DerivativeRows basis = patch_basis(set.kind, columns, s.u, s.v);
+      const DerivativeRows basis = patch_basis(set.kind, s.u, s.v);
       for (int p = 0; p < set.count(); ++p) {
         SurfaceJet jet = SurfaceJet::Zero();
         for (int i = 0; i < set.columns; ++i) jet += basis.col(i) * mesh.control.row(set.points[p * set.columns + i]);

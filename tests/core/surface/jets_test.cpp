@@ -122,17 +122,16 @@ TEST(JetEvaluator, equals_basis_times_points_patch_by_patch) {
         pad_samples(samples, kSampleMultiple);
       }
       const int count = static_cast<int>(samples.size());
-      const PatchColumns columns = patch_columns(set.kind);
       for (int p = 0; p < set.count(); ++p) {
         for (int s = 0; s < count; ++s) {
           const auto [u, v, weight] = samples[s];
-          const DerivativeRows basis = patch_basis(set.kind, columns, u, v);
+          const DerivativeRows basis = patch_basis(set.kind, u, v);
           Points local(set.columns, 3);
           for (int i = 0; i < set.columns; ++i) local.row(i) = points.row(set.points[p * set.columns + i]);
           Points expected = basis * local;
           if (set.kind.shape == CapShape::kFlat) {
             const Vector3 n = frames[set.caps[p]].normal;
-            expected -= patch_flattening(set.kind, columns, u, v) * local * n * n.transpose();
+            expected -= patch_flattening(set.kind, u, v) * local * n * n.transpose();
           }
           for (int d = 0; d < kThirdOrderCount; ++d) {
             for (int c = 0; c < 3; ++c) {

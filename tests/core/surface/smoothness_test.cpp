@@ -53,8 +53,8 @@ TEST(Cap, flattening_is_c2_across_spokes) {
   for (const int valence : {3, 5, 9}) {
     const CapSector& cap = cap_sector(valence, CapShape::kFlat);
     for (const double along : {0.1, 0.4, 0.8}) {
-      expect_equal(cap.flattening(0, along),
-                   as_seen_from_the_sector_before(turned(cap.net(), cap.flattening(along, 0), 1)), kUuu);
+      expect_equal(sector_flattening(cap, 0, along),
+                   as_seen_from_the_sector_before(turned(cap.net(), sector_flattening(cap, along, 0), 1)), kUuu);
     }
   }
 }

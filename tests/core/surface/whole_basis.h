@@ -20,10 +20,50 @@ Matrix turned(const RingNet& net, const Matrix& rows, int sector) {
   return result;
 }
 
+/// The face of sector 0 that the cap's surface is evaluated on at (u, v), and the coordinates there.
+struct SectorFace {
+  int cell;
+  double u, v;
+
+  SectorFace(const CapSector& cap, double sector_u, double sector_v) {
+    const bool behind = cap.shape() == CapShape::kBare || cap.shape() == CapShape::kTwoRing;
+    const int i = behind && sector_u >= 1, j = behind && sector_v >= 1;
+    cell = i + 2 * j;
+    u = sector_u - i;
+    v = sector_v - j;
+  }
+};
+
+/// Columns of a face's support moved to those of the net; what follows them stays behind these.
+inline DerivativeRows over_net(const RingNet& net, int cell, const DerivativeRows& here) {
+  const int count = static_cast<int>(net.support(cell).size()), rest = static_cast<int>(here.cols()) - count;
+  DerivativeRows rows = DerivativeRows::Zero(kDerivativeCount, net.size() + rest);
+  for (int k = 0; k < count; ++k) rows.col(net.support(cell)[k]) = here.col(k);
+  rows.rightCols(rest) = here.rightCols(rest);
+  return rows;
+}
+
+/// Derivatives at (u, v) of sector 0 by all control points of the net and the cap's coefficients; 10 x (net size +
+/// coefficients). For the flat cap, those of S.
+inline DerivativeRows sector_basis(const CapSector& cap, double u, double v) {
+  const SectorFace face(cap, u, v);
+  return over_net(cap.net(), face.cell, cap.basis(face.cell, face.u, face.v));
+}
+
+/// Those of the limit surface on the same face.
+inline DerivativeRows sector_limit(const CapSector& cap, double u, double v) {
+  const SectorFace face(cap, u, v);
+  return over_net(cap.net(), face.cell, cap.net().face_basis(face.cell, face.u, face.v));
+}
+
+inline DerivativeRows sector_flattening(const CapSector& cap, double u, double v) {
+  return over_net(cap.net(), 0, cap.flattening(u, v));
+}
+
 /// Derivatives of X at (u, v) of a sector by the control points of the net, the fit included; 10 x net size. For the
 /// flat cap, those of S.
 inline DerivativeRows whole_basis(const CapSector& cap, int sector, double u, double v) {
-  const DerivativeRows split = cap.basis(u, v);
+  const DerivativeRows split = sector_basis(cap, u, v);
   const int size = cap.net().size();
   DerivativeRows whole = split.leftCols(size);
   if (split.cols() > size) whole += split.rightCols(split.cols() - size) * cap.fit();
