@@ -22,7 +22,7 @@ Jet<T> integrand_gradient(const WeightedIntegrand& f, const Jet<T>& jet, const T
   Curvature<T> adjoint{};
   const T measure = weight * k.area;
   T density = weighted_density<false>(f.weights, k, measure, adjoint);
-  if constexpr (kThird) density += weighted_density<true>(f.weights, k, measure, adjoint);
+  if constexpr (kThird) density += weighted_density<true>(f.weights, k, measure, adjoint, f.umbilic_eta);
   adjoint.area = weight * (density + f.area_factor);
   return frame.pull_back(adjoint);
 }
@@ -89,7 +89,7 @@ class JetHessian {
       frame.third_to_frame(t, c);
       for (int j = 0; j < 4; ++j) moved.c[j].tangent[i] = c[j];
     }
-    weighted_density<true>(f.weights, moved, Number(weight * k.area), adjoint);
+    weighted_density<true>(f.weights, moved, Number(weight * k.area), adjoint, f.umbilic_eta);
     const Vec3<T>& normal = frame.normal();
     const T n[3] = {normal.x, normal.y, normal.z};
     for (int i = 0; i < 4; ++i) {
