@@ -3,17 +3,14 @@
 /// The integrands of all functionals as functions of II = (p, q, r) and C = (c0, …, c3), each with its gradient.
 ///
 /// Angles: theta turns e1 into the principal direction of kappa1 >= kappa2; D = (kappa1 - kappa2)/2 is regularized
-/// once, here: D^2 = (p - r)^2/4 + q^2 + eta^2 (p^2 + 2 q^2 + r^2), eta = kUmbilicEta, so that cos 2theta = (p -
-/// r)/(2D) and sin 2theta = q/D go smoothly to 0 at umbilics, independently of frame and scale.
+/// once, here: D^2 = (p - r)^2/4 + q^2 + eta^2 (p^2 + 2 q^2 + r^2), eta = kUmbilicEta in every energy, so that cos
+/// 2theta = (p - r)/(2D) and sin 2theta = q/D go smoothly to 0 at umbilics, independently of frame and scale.
 #pragma once
 
 #include "energy/curvature.h"
 #include "energy/functional_list.h"
 
 namespace umbilic::UMBILIC_KERNELS {
-
-/// Relative to the norm of II. Changes a density by the order of (eta |II| / (kappa1 - kappa2))^2.
-inline constexpr double kUmbilicEta = 1e-6;
 
 /// Keeps 0/0 out where II vanishes altogether; below any curvature whose square is representable.
 inline constexpr double kFlatFloor = 1e-290;
@@ -22,11 +19,12 @@ inline constexpr double kFlatFloor = 1e-290;
 template <class T>
 struct PrincipalAngle {
   T cosine, sine, inverse_d;
+  double eta2;
 
-  explicit PrincipalAngle(const Curvature<T>& k) {
+  explicit PrincipalAngle(const Curvature<T>& k, double eta = kUmbilicEta) : eta2(eta * eta) {
     const T half = 0.5 * (k.p - k.r);
     const T norm = k.p * k.p + 2.0 * k.q * k.q + k.r * k.r;
-    inverse_d = 1.0 / sqrt(half * half + k.q * k.q + kUmbilicEta * kUmbilicEta * norm + kFlatFloor);
+    inverse_d = 1.0 / sqrt(half * half + k.q * k.q + eta2 * norm + kFlatFloor);
     cosine = half * inverse_d;
     sine = k.q * inverse_d;
   }
@@ -35,7 +33,6 @@ struct PrincipalAngle {
   void pull_back(const Curvature<T>& k, const T& cosine_adjoint, const T& sine_adjoint, Curvature<T>& adjoint) const {
     const T radial = -inverse_d * inverse_d * (cosine * cosine_adjoint + sine * sine_adjoint);
     const T half = 0.5 * (k.p - k.r);
-    constexpr double eta2 = kUmbilicEta * kUmbilicEta;
     const T d_half = inverse_d * cosine_adjoint + radial * half;
     adjoint.p += 0.5 * d_half + radial * eta2 * k.p;
     adjoint.r += radial * eta2 * k.r - 0.5 * d_half;
@@ -127,14 +124,15 @@ T second_form_variation_density(const Curvature<T>& k, const T& scale, Curvature
 
 /// Weighted sum of the densities of order `kThird` ? third : second; `weights` in the order of `Functional`.
 template <bool kThird, class T>
-T weighted_density(const double* weights, const Curvature<T>& k, const T& scale, Curvature<T>& adjoint) {
+T weighted_density(const double* weights, const Curvature<T>& k, const T& scale, Curvature<T>& adjoint,
+                   double umbilic_eta = kUmbilicEta) {
   T sum{};
   if constexpr (!kThird) {
     if (weights[kBending] != 0) sum += weights[kBending] * bending_density(k, scale * weights[kBending], adjoint);
     if (weights[kWillmore] != 0) sum += weights[kWillmore] * willmore_density(k, scale * weights[kWillmore], adjoint);
   } else {
     if (weights[kMvs] != 0 || weights[kMvsCross] != 0) {
-      const PrincipalAngle<T> angle(k);
+      const PrincipalAngle<T> angle(k, umbilic_eta);
       if (weights[kMvs] != 0) sum += weights[kMvs] * mvs_density(k, angle, scale * weights[kMvs], adjoint);
       if (weights[kMvsCross] != 0) {
         sum += weights[kMvsCross] * mvs_cross_density(k, angle, scale * weights[kMvsCross], adjoint);

@@ -40,8 +40,10 @@ void turn_back(const Eigen::Matrix3d& turn, int columns, std::vector<double>& bl
 
 }  // namespace
 
-EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights)
+EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights,
+                             double umbilic_eta)
     : layout_(layout), weights_(weights) {
+  integrand_.umbilic_eta = umbilic_eta;
   int widest = 0;
   for (const PatchSet& set : layout.sets()) {
     Kind kind{kernel_table(set.kind, rule), {}};

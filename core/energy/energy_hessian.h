@@ -4,7 +4,8 @@
 ///
 /// With the energy second + area * third, the patches' matrices sum to D^2 second + area D^2 third + third D^2 area;
 /// what is missing of the Hessian is the rank-two term grad area grad third^T + grad third grad area^T. Of `flat` caps
-/// n is frozen.
+/// n is frozen. Near umbilics, where second derivatives grow like the inverse square of the distance and hold over no
+/// more than that distance, they may be those of a more regularized density.
 #pragma once
 
 #include <vector>
@@ -19,7 +20,8 @@ namespace umbilic {
 class EnergyHessian {
  public:
   /// `layout` outlives the Hessian.
-  EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights);
+  EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights,
+                double umbilic_eta = kUmbilicEta);
 
   /// Where the derivatives are taken. `value` is the energy there.
   void move_to(const Points& control, const EnergyValue& value);

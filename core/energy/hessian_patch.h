@@ -12,6 +12,7 @@ struct WeightedIntegrand {
   double weights[kFunctionalCount];  ///< of the densities
   bool third_order;                  ///< whether densities of third order have a weight
   double area_factor;                ///< of the area element alone
+  double umbilic_eta = kUmbilicEta;
 };
 
 struct HessianPatch {

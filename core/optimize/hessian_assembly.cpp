@@ -12,13 +12,13 @@ constexpr int kSamplesPerPart = 300;
 }  // namespace
 
 HessianAssembly::HessianAssembly(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
-                                 const QuadratureRule& rule)
+                                 const QuadratureRule& rule, double umbilic_eta)
     : unknowns_(unknowns),
       jets_(layout, rule),
       energy_(jets_, weights),
       assembly_(layout, unknowns.coordinates()),
       sobolev_(layout, weights),
-      hessian_(layout, rule, weights) {}
+      hessian_(layout, rule, weights, umbilic_eta) {}
 
 double HessianAssembly::progress() const {
   return stage_ == Stage::kFactors ? 0 : static_cast<double>(patches_done_) / jets_.layout().patch_count();

@@ -19,9 +19,9 @@ class HessianAssembly {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  /// `layout` and `unknowns` outlive the assembly.
+  /// `layout` and `unknowns` outlive the assembly; `umbilic_eta` as in EnergyHessian.
   HessianAssembly(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
-                  const QuadratureRule& rule);
+                  const QuadratureRule& rule, double umbilic_eta = kUmbilicEta);
 
   /// Starts to build the matrices at a surface with these control points.
   void begin(const Points& control);

@@ -8,34 +8,42 @@
 namespace umbilic {
 namespace {
 
-/// On surfaces between a cage and its minimizer mu ends between 10 and 1e-4.
+/// On surfaces between a cage and its minimizer mu ends between 10 and 1e-6.
 constexpr double kStartMu = 1e-2;
-constexpr double kSmallestMu = 1e-6;
+constexpr double kSmallestMu = 1e-8;
 constexpr double kLargestMu = 1e6;
+/// So small a multiple of the Sobolev product hides no decrease that matters.
+constexpr double kSettledMu = 1e-5;
 constexpr double kFactor = 10;
+/// Largest factor by which mu falls from one surface to the next.
+constexpr double kLargestFall = 1e3;
 
 }  // namespace
 
 HessianMetric::HessianMetric(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
                              const QuadratureRule& rule)
-    : assembly_(layout, unknowns, weights, rule), mu_(kStartMu * kFactor) {}
+    : unknowns_(unknowns), assembly_(layout, unknowns, weights, rule, kMetricUmbilicEta), mu_(kStartMu) {}
 
 void HessianMetric::begin(const Points& control) {
   assembly_.begin(control);
-  assembled_ = ready_ = false;
-  settled_ = mu_ <= kSmallestMu;
-  mu_ = std::max(mu_ / kFactor, kSmallestMu);
+  assembled_ = ready_ = rose_ = false;
+  mu_ = std::max(mu_ / fall_, kSmallestMu);
+  settled_ = mu_ <= kSettledMu;
+  size_gradient_ = unknowns_.pull_back(control.rowwise() - control.colwise().mean());
 }
 
 bool HessianMetric::advance() {
   if (!assembled_) {
     assembled_ = assembly_.advance();
+    if (assembled_ && assembly_.factors().cols() > 0) size_gradient_ = assembly_.factors().col(0);
   } else if (!ready_) {
     definite_ = factor();
     ready_ = definite_ || mu_ >= kLargestMu;
     if (!ready_) {
       mu_ *= kFactor;
-      settled_ = true;
+      rose_ = settled_ = true;
+    } else {
+      fall_ = rose_ ? kFactor : std::min(fall_ * kFactor, kLargestFall);
     }
   }
   return ready_;
@@ -47,20 +55,14 @@ bool HessianMetric::factor() {
   analyzed_ = true;
   factor_.factorize(matrix);
   if (factor_.info() != Eigen::Success) return false;
-  const Eigen::MatrixXd& factors = assembly_.factors();
-  if (factors.cols() == 0) return true;
-  solved_ = factor_.solve(factors);
-  const Eigen::Matrix2d inverse_core = Eigen::Matrix2d{{0, 1}, {1, 0}} + factors.transpose() * solved_;
-  core_ = inverse_core.inverse();
-  // The rank-two term keeps the sum positive definite as long as this has eigenvalues of both signs.
-  return inverse_core.determinant() < 0;
+  solved_ = factor_.solve(size_gradient_);
+  return true;
 }
 
 Eigen::VectorXd HessianMetric::solve(const Eigen::VectorXd& gradient) const {
   if (!definite_) return gradient;  // a surface too irregular for any metric: the identity
   Eigen::VectorXd result = factor_.solve(gradient);
-  if (assembly_.factors().cols() > 0) result -= solved_ * (core_ * (solved_.transpose() * gradient));
-  return result;
+  return result - (size_gradient_.dot(result) / size_gradient_.dot(solved_)) * solved_;
 }
 
 }  // namespace umbilic

@@ -10,8 +10,17 @@
 
 namespace umbilic {
 
-/// metric = H + u v^T + v u^T + mu S, the rank-two term by Woodbury's formula. mu rises until the sum is positive
-/// definite, and falls again from one surface to the next.
+/// Regularization at umbilics of the metric's Hessian, relative to the norm of II: with that of the energy itself
+/// single samples near umbilics make mu rise by orders of magnitude.
+inline constexpr double kMetricUmbilicEta = 0.03;
+
+/// metric = H + u v^T + v u^T + mu S on the directions d that keep the surface's size, a . d = 0.
+///
+/// Energies have degree 0 in the control points x, so that x . Hessian x = 0 and Hessian x = -gradient: Newton's step
+/// would be a mere change of scale, and the Hessian indefinite wherever the gradient is not 0. With a = u, the gradient
+/// of the area, the rank-two term vanishes, and H + mu S is all that is to be factored; without a third-order part a is
+/// x about its centroid. mu rises until the factorization succeeds, and falls from one surface to the next, the faster
+/// the longer it needed no rise.
 class HessianMetric : public SurfaceMetric {
  public:
   /// `layout` and `unknowns` outlive the metric.
@@ -23,20 +32,22 @@ class HessianMetric : public SurfaceMetric {
   std::string_view name() const override { return "hessian"; }
   bool knows_hessian() const override { return true; }
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
-  /// Whether mu fell no further.
+  /// Whether mu is small, or fell no further.
   bool settled() const override { return settled_; }
   /// mu.
   double sobolev_share() const override { return mu_; }
+  /// a.
+  const Eigen::VectorXd& size_gradient() const { return size_gradient_; }
 
  private:
   bool factor();
 
+  const Unknowns& unknowns_;
   HessianAssembly assembly_;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
-  bool assembled_ = false, ready_ = false, analyzed_ = false, settled_ = false, definite_ = false;
-  double mu_;
-  Eigen::MatrixXd solved_;  ///< metric without the rank-two term, applied inversely to (u, v)
-  Eigen::Matrix2d core_;    ///< of Woodbury's formula
+  bool assembled_ = false, ready_ = false, analyzed_ = false, settled_ = false, definite_ = false, rose_ = false;
+  double mu_, fall_ = 1;
+  Eigen::VectorXd size_gradient_, solved_;  ///< a, and (H + mu S)^-1 a
 };
 
 }  // namespace umbilic

@@ -23,7 +23,7 @@ Jet<T> integrand_gradient(const WeightedIntegrand& f, const Jet<T>& jet, const T
   Curvature<T> adjoint{};
   const T measure = weight * k.area;
   T density = weighted_density<false>(f.weights, k, measure, adjoint);
-  if constexpr (kThird) density += weighted_density<true>(f.weights, k, measure, adjoint);
+  if constexpr (kThird) density += weighted_density<true>(f.weights, k, measure, adjoint, f.umbilic_eta);
   adjoint.area = weight * (density + f.area_factor);
   return frame.pull_back(adjoint);
 }
@@ -121,7 +121,7 @@ class JetHessian {
       frame.third_to_frame(t, c);
       for (int j = 0; j < 4; ++j) moved.c[j].tangent[i] = c[j];
     }
-    weighted_density<true>(f.weights, moved, Number(weight * k.area), adjoint);
+    weighted_density<true>(f.weights, moved, Number(weight * k.area), adjoint, f.umbilic_eta);
     for (int i = 0; i < 4; ++i) {
       T c[4], t[4];
       for (int j = 0; j < 4; ++j) c[j] = adjoint.c[j].tangent[i];
