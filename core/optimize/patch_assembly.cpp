@@ -44,6 +44,9 @@ int place(const std::vector<int>& rising, int value) {
   return static_cast<int>(std::lower_bound(rising.begin(), rising.end(), value) - rising.begin());
 }
 
+/// A patch's points that are control points; they stand first.
+int net_count(const PatchSet& patches) { return patches.columns - coefficient_count(patches.kind.shape); }
+
 }  // namespace
 
 PatchAssembly::PatchAssembly(const PatchLayout& layout, const Coordinates& coordinates)
@@ -115,21 +118,20 @@ void PatchAssembly::add_neighbours(std::vector<int> met) {
 }
 
 void PatchAssembly::build_pattern() {
-  const auto add = [&](const int* vertices, std::size_t count) {
+  const auto add = [&](const int* vertices, int count) {
     std::vector<int> met;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i) {
       if (vertices[i] >= 0 && orbit_of_[vertices[i]] >= 0) met.push_back(orbit_of_[vertices[i]]);
     }
     add_neighbours(std::move(met));
   };
   for (const PatchSet& patches : layout_.sets()) {
-    const std::size_t count = patch_columns(patches.kind).net.size();
     for (int p = 0; p < patches.count(); ++p) {
-      add(&patches.points[static_cast<std::size_t>(patches.columns) * p], count);
+      add(&patches.points[static_cast<std::size_t>(patches.columns) * p], net_count(patches));
     }
   }
   for (const Cap& cap : layout_.caps()) {
-    if (coefficient_count(cap.shape) > 0) add(cap.net.data(), cap.net.size());
+    if (coefficient_count(cap.shape) > 0) add(cap.net.data(), static_cast<int>(cap.net.size()));
   }
 
   outer_.push_back(0);
@@ -154,6 +156,26 @@ void PatchAssembly::build_pattern() {
       outer_.push_back(static_cast<int>(inner_.size()));
     }
   }
+  find_rows();
+}
+
+/// Pairs are met in the order of `add_block`.
+void PatchAssembly::find_rows() {
+  for (const PatchSet& patches : layout_.sets()) {
+    std::vector<int>& rows = rows_.emplace_back();
+    const int count = net_count(patches);
+    rows.reserve(static_cast<std::size_t>(patches.count()) * count * (count + 1) / 2);
+    for (int p = 0; p < patches.count(); ++p) {
+      const int* points = &patches.points[static_cast<std::size_t>(patches.columns) * p];
+      for (int i = 0; i < count; ++i) {
+        for (int j = 0; j <= i; ++j) {
+          const int low = std::max(orbit_of_[points[i]], orbit_of_[points[j]]);
+          const int high = std::min(orbit_of_[points[i]], orbit_of_[points[j]]);
+          rows.push_back(high < 0 ? -1 : orbits_[high].rows[place(orbits_[high].neighbours, low)]);
+        }
+      }
+    }
+  }
 }
 
 void PatchAssembly::clear(PatchSums& sums) const {
@@ -166,13 +188,12 @@ void PatchAssembly::clear(PatchSums& sums) const {
   }
 }
 
-void PatchAssembly::scatter(int row, int column, bool one_place, const Eigen::Matrix3d& block,
+void PatchAssembly::scatter(int row, int column, int first_row, bool one_place, const Eigen::Matrix3d& block,
                             std::vector<double>& values) const {
   const bool turn = row < column;
   const int low = turn ? column : row, high = turn ? row : column;
   const Orbit& orbit = orbits_[high];
   const int height = orbits_[low].dimension;
-  const int first_row = orbit.rows[place(orbit.neighbours, low)];
   for (int k = 0; k < orbit.dimension; ++k) {
     // Column k of the lower triangle lacks its first k entries.
     double* to = values.data() + outer_[orbit.first + k] + first_row - k;
@@ -189,14 +210,14 @@ void PatchAssembly::add_block(int set, int patch, const Block& block, PatchSums&
   const PatchSet& patches = layout_.sets()[set];
   const int* points = &patches.points[static_cast<std::size_t>(patches.columns) * patch];
   const double multiplicity = patches.multiplicities[patch];
-  const int count = static_cast<int>(patch_columns(patches.kind).net.size());
+  const int count = net_count(patches);
+  const int* first_row = &rows_[set][static_cast<std::size_t>(patch) * count * (count + 1) / 2];
   for (int i = 0; i < count; ++i) {
     const int row = orbit_of_[points[i]];
-    if (row < 0) continue;
     const Coordinates::Block& left = blocks_[points[i]];
-    for (int j = 0; j <= i; ++j) {
+    for (int j = 0; j <= i; ++j, ++first_row) {
       const int column = orbit_of_[points[j]];
-      if (column < 0) continue;
+      if (*first_row < 0) continue;
       const Coordinates::Block& right = blocks_[points[j]];
       Eigen::Matrix3d half, reduced;  // entries times right.basis, then left.basis^T times that
       for (int c = 0; c < coordinates(); ++c) {
@@ -217,7 +238,7 @@ void PatchAssembly::add_block(int set, int patch, const Block& block, PatchSums&
           reduced(l, k) = sum;
         }
       }
-      scatter(row, column, i == j, reduced, sums.values);
+      scatter(row, column, *first_row, i == j, reduced, sums.values);
     }
   }
   if (coefficient_count(patches.kind.shape) > 0) add_coefficients(set, patch, block, sums);
@@ -230,7 +251,7 @@ void PatchAssembly::add_coefficients(int set, int patch, const Block& block, Pat
   const Cap& cap = layout_.caps()[patches.caps[patch]];
   const Elimination& elimination = eliminations_[patches.caps[patch]];
   PatchSums::CapSums& waiting = sums.caps[patches.caps[patch]];
-  const int count = coefficient_count(cap.shape), net = patches.columns - count;
+  const int count = coefficient_count(cap.shape), net = net_count(patches);
   const int sector = (points[net] - cap.first_coefficient) / count;
   const Eigen::MatrixXd turn = patches.multiplicities[patch] * cap_sector(cap.valence, cap.shape).turn(sector);
   const Eigen::MatrixXd turn_back = cap_sector(cap.valence, cap.shape).turn(sector).transpose();

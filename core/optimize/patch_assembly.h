@@ -85,6 +85,7 @@ class PatchAssembly {
   void build_eliminations();
   void add_neighbours(std::vector<int> met);
   void build_pattern();
+  void find_rows();
   /// Of which the unknowns of a vertex are combinations: 1 where the matrix is scalar.
   int coordinates() const { return scalar_ ? 1 : 3; }
 
@@ -92,8 +93,9 @@ class PatchAssembly {
   void add_block(int set, int patch, const Block& block, PatchSums& sums) const;
   template <class Block>
   void add_coefficients(int set, int patch, const Block& block, PatchSums& sums) const;
-  /// Adds the block between the unknowns of two vertices, and its transpose unless they are one place.
-  void scatter(int row, int column, bool one_place, const Eigen::Matrix3d& block, std::vector<double>& values) const;
+  /// Adds the block between two orbits, and its transpose unless it belongs to one place; `first_row` as in `rows_`.
+  void scatter(int row, int column, int first_row, bool one_place, const Eigen::Matrix3d& block,
+               std::vector<double>& values) const;
 
   const PatchLayout& layout_;
   bool scalar_;
@@ -102,6 +104,9 @@ class PatchAssembly {
   std::vector<Orbit> orbits_;
   std::vector<Elimination> eliminations_;  ///< of each cap; empty without coefficients
   std::vector<int> outer_, inner_;
+  /// Of each set, patch and pair of its control points: where the block of the later orbit begins, counted from the
+  /// first entry of the earlier one's column; -1 without unknowns.
+  std::vector<std::vector<int>> rows_;
 };
 
 }  // namespace umbilic

@@ -47,20 +47,18 @@ void pack(const Part& part, const double* basis, const HessianPatch& patch, doub
   }
 }
 
-/// The Hessians of the jets at the part's samples, pair of coordinates by pair: [pair][group of samples][d][e].
+/// The Hessians of the jets at the part's samples, entry (d, e) of each pair of coordinates: [pair][d][e][s].
 template <bool kThird>
 void jet_hessians(const Part& part, const HessianPatch& patch, const WeightedIntegrand& f, double* hessians) {
   constexpr int kDerivatives = kThird ? kThirdOrderCount : kSecondOrderCount;
-  constexpr int kEntries = kDerivatives * kDerivatives * kShortLaneCount;
-  const int groups = part.count / kShortLaneCount;
-  for (int group = 0; group < groups; ++group) {
-    const int s = part.begin + group * kShortLaneCount;
-    const Jet<L> jet = load_jet<kThird, L>(patch.jets + s, patch.samples, kDerivatives);
-    const JetHessian<kThird, L> hessian(f, jet, load_lanes<L>(patch.weights + s));
+  for (int s = 0; s < part.count; s += kShortLaneCount) {
+    const double* jets = patch.jets + part.begin + s;
+    const Jet<L> jet = load_jet<kThird, L>(jets, patch.samples, kDerivatives);
+    const JetHessian<kThird, L> hessian(f, jet, load_lanes<L>(patch.weights + part.begin + s));
+    double* to = hessians + s;
     for (int pair = 0; pair < kPairs; ++pair) {
-      double* to = hessians + (pair * groups + group) * kEntries;
       for (int d = 0; d < kDerivatives; ++d) {
-        for (int e = 0; e < kDerivatives; ++e, to += kShortLaneCount) {
+        for (int e = 0; e < kDerivatives; ++e, to += part.count) {
           store_lanes(to, hessian(kFirst[pair] * kDerivatives + d, kSecond[pair] * kDerivatives + e));
         }
       }
@@ -68,28 +66,44 @@ void jet_hessians(const Part& part, const HessianPatch& patch, const WeightedInt
   }
 }
 
-/// products[column * stride + d * count + s] = sum over e of D(d, e) times the basis function's derivative e.
-template <int kDerivatives>
-void apply(const Part& part, const double* hessians, const double* packed, int columns, double* products) {
+/// Of a few columns and samples from `s` on: products = sum over e of D(d, e) times the basis functions' derivative e.
+template <int kDerivatives, class Samples>
+void apply_tile(const Part& part, const double* hessians, const double* packed, double* products) {
   constexpr int kTall = kDerivatives == kThirdOrderCount ? 3 : 5, kWide = kDerivatives == kThirdOrderCount ? 4 : 2;
-  for (int s = 0; s < part.count; s += kShortLaneCount, hessians += kDerivatives * kDerivatives * kShortLaneCount) {
-    for (int j = 0; j < columns; j += kWide) {
-      const double* functions = packed + j * part.stride + s;
-      double* to = products + j * part.stride + s;
-      for (int d = 0; d < kDerivatives; d += kTall) {
-        L tile[kTall][kWide] = {};
-        for (int e = 0; e < kDerivatives; ++e) {
-          L function[kWide];
-          for (int b = 0; b < kWide; ++b) function[b] = load_lanes<L>(functions + b * part.stride + e * part.count);
-          for (int a = 0; a < kTall; ++a) {
-            const L entry = load_lanes<L>(hessians + ((d + a) * kDerivatives + e) * kShortLaneCount);
-            for (int b = 0; b < kWide; ++b) tile[a][b] += entry * function[b];
-          }
+  for (int column = 0; column < HessianPatch::kColumnMultiple; column += kWide) {
+    const double* functions = packed + column * part.stride;
+    for (int d = 0; d < kDerivatives; d += kTall) {
+      Samples tile[kTall][kWide] = {};
+      for (int e = 0; e < kDerivatives; ++e) {
+        Samples function[kWide];
+        for (int b = 0; b < kWide; ++b) {
+          function[b] = load_lanes<Samples>(functions + b * part.stride + e * part.count);
         }
         for (int a = 0; a < kTall; ++a) {
-          for (int b = 0; b < kWide; ++b) store_lanes(to + b * part.stride + (d + a) * part.count, tile[a][b]);
+          const Samples entry = load_lanes<Samples>(hessians + ((d + a) * kDerivatives + e) * part.count);
+          for (int b = 0; b < kWide; ++b) tile[a][b] += entry * function[b];
         }
       }
+      for (int a = 0; a < kTall; ++a) {
+        for (int b = 0; b < kWide; ++b) {
+          store_lanes(products + (column + b) * part.stride + (d + a) * part.count, tile[a][b]);
+        }
+      }
+    }
+  }
+}
+
+/// products[column * stride + d * count + s], of all columns and samples.
+template <int kDerivatives>
+void apply(const Part& part, const double* hessians, const double* packed, int columns, double* products) {
+  for (int j = 0; j < columns; j += HessianPatch::kColumnMultiple) {
+    const int at = j * part.stride;
+    int s = 0;
+    for (; s + kLaneCount <= part.count; s += kLaneCount) {
+      apply_tile<kDerivatives, Lanes>(part, hessians + s, packed + at + s, products + at + s);
+    }
+    for (; s < part.count; s += kShortLaneCount) {
+      apply_tile<kDerivatives, L>(part, hessians + s, packed + at + s, products + at + s);
     }
   }
 }
