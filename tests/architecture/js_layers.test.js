@@ -44,6 +44,6 @@ describe('the checks fail on', () => {
 
   test.each(['../worker/client.js', '../../wasm/types.js'])('a view that imports %s', (name) => {
     expect(viewImports(new Map([['web/views/a.js', `import { x } from '${name}';`]]))).toHaveLength(1);
-    expect(viewImports(new Map([['web/main.js', `import { x } from '${name}';`]]))).toEqual([]);
+    expect(viewImports(new Map([['web/studio.js', `import { x } from '${name}';`]]))).toEqual([]);
   });
 });

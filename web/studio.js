@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The page's entry: one state, the worker that changes it, and the views that show it.
+ * @file The studio's entry: one state, the worker that changes it, and the views that show it.
  */
 import { createEffects } from './effects.js';
 import { saveText } from './files/save.js';
@@ -12,12 +12,13 @@ import { find, setText, whenChanged } from './views/dom.js';
 import { createDropView, createFileTaker } from './views/drop.js';
 import { createLegendView } from './views/legend.js';
 import { createLimitView } from './views/limit.js';
-import { createAlertView, createDownloadsView, createThemeView } from './views/notices.js';
+import { createAlertView, createDownloadsView } from './views/notices.js';
 import { createObjectiveView } from './views/objective.js';
 import { createPlotView } from './views/plot.js';
 import { createRunView } from './views/run.js';
 import { createSurfaceView } from './views/surface.js';
 import { createEnergiesView, createLevelsView } from './views/tables.js';
+import { createThemeView } from './views/theme.js';
 import { createClient } from './worker/client.js';
 
 /** @import {Action} from './state/types.js' */
@@ -42,7 +43,9 @@ function dispatch(action) {
 const takeFiles = createFileTaker(dispatch);
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
-const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), dispatch);
+const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), (chosen) =>
+  dispatch({ type: 'viewChanged', change: { theme: chosen } }),
+);
 const legend = createLegendView(byId('legend'), dispatch);
 const surface = createSurfaceView(byId('surface'), dispatch);
 const plain = [
@@ -62,7 +65,7 @@ createDropView(byId('drop'), takeFiles);
 const recolour = whenChanged((/** @type {boolean} */ dark) => surface.recolour());
 
 function show() {
-  recolour(theme.update(state));
+  recolour(theme.update(state.view.theme));
   surface.update(state, legend.update(state));
   for (const view of plain) view.update(state);
   setText(byId('version'), state.version);
