@@ -3,7 +3,7 @@
  * @file The studio's entry: one state, the worker that changes it, and the views that show it.
  */
 import { createEffects } from './effects.js';
-import { saveText } from './files/save.js';
+import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { initialState, reduce } from './state/reduce.js';
 import { createCageView } from './views/cage.js';
@@ -28,7 +28,7 @@ const client = createClient({
   onMessage: (message) => dispatch({ type: 'answered', message }),
   onLost: (loss, detail) => dispatch({ type: 'workerLost', loss, detail }),
 });
-const effects = createEffects({ client, save: saveText });
+const effects = createEffects({ client, save: saveFile });
 let state = initialState(storedTheme());
 
 /** @param {Action} action */
