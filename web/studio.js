@@ -5,7 +5,7 @@
 import { parseStudioAddress } from './address/studio.js';
 import { createEffects } from './effects.js';
 import { loadEntry } from './files/entry.js';
-import { saveText } from './files/save.js';
+import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { initialState, reduce } from './state/reduce.js';
 import { createCageView } from './views/cage.js';
@@ -34,7 +34,7 @@ const client = createClient({
 });
 const effects = createEffects({
   client,
-  save: saveText,
+  save: saveFile,
   load: async (name) => {
     const found = await loadEntry(name);
     dispatch(
@@ -62,7 +62,7 @@ const byId = (id) => find(document, `#${id}`);
 const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), (chosen) =>
   dispatch({ type: 'viewChanged', change: { theme: chosen } }),
 );
-const legend = createLegendView(byId('legend'), dispatch);
+const legend = createLegendView(byId('legend'), (shading) => dispatch({ type: 'viewChanged', change: { shading } }));
 const surface = createSurfaceView(byId('surface'), dispatch);
 const plain = [
   createEntryView(byId('entry'), dispatch),
@@ -84,7 +84,13 @@ const recolour = whenChanged((/** @type {boolean} */ dark) => surface.recolour()
 
 function show() {
   recolour(theme.update(state.view.theme));
-  surface.update(state, legend.update(state));
+  // While the surface moves the range is calm; another cage or a surface at rest gets its own.
+  const range = legend.update({
+    shading: state.view.shading,
+    curvatures: state.surface ? [state.surface.limit.curvatures] : [],
+    occasion: `${state.run} ${state.status === 'running'}`,
+  });
+  surface.update(state, range);
   for (const view of plain) view.update(state);
   setText(byId('version'), state.version);
 }

@@ -3,21 +3,11 @@
  * @file What the catalog says of the minimizer that was opened, and the button that minimizes it again.
  */
 import { settingsAreFree } from '../state/reduce.js';
-import { energyWords, statusWords } from '../words/entries.js';
-import { significant } from '../words/numbers.js';
+import { besideWords, energyWords, statusWords } from '../words/entries.js';
 import { element, find, onPress, setEnabled, whenChanged } from './dom.js';
 
 /** @import {CatalogEntry} from '../files/catalog.js' */
 /** @import {Action, State} from '../state/types.js' */
-
-/** @param {CatalogEntry} entry @returns {string} */
-function beside({ status, paper, exact }) {
-  return [
-    statusWords[status],
-    ...(paper === null ? [] : [`paper ${significant(paper, Math.max(1, String(Math.round(paper)).length))}`]),
-    ...(exact === null ? [] : [`exact ${significant(exact, 7)}`]),
-  ].join(' · ');
-}
 
 /**
  * @param {HTMLElement} root
@@ -33,11 +23,12 @@ export function createEntryView(root, dispatch) {
     root.hidden = !entry;
     if (!entry) return words.replaceChildren();
     words.title = entry.reason ?? '';
+    const { value, error } = energyWords(entry);
     words.replaceChildren(
       'Catalog: ',
-      element('strong', {}, energyWords(entry)),
+      element('strong', {}, error ? `${value} ± ${error}` : value),
       ' ',
-      element('span', { class: 'note' }, beside(entry)),
+      element('span', { class: 'note' }, [statusWords[entry.status].name, ...besideWords(entry)].join(' · ')),
     );
   });
 

@@ -1,39 +1,88 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the catalog knows of a minimizer, in words and numbers.
+ * @file What the catalog's shapes, columns and entries are called, and what is known of them, in words and numbers.
  */
-import { functionals } from './functionals.js';
-import { significant, withError } from './numbers.js';
+import { cageWords } from './cages.js';
+import { functionalWords } from './functionals.js';
+import { compact, significant, upperBound, withError } from './numbers.js';
 
-/** @import {CatalogEntry} from '../files/catalog.js' */
+/** @import {FunctionalName} from '../../wasm/types.js' */
+/** @import {CatalogEntry, CatalogFunctional, EntryStatus} from '../files/catalog.js' */
 
-/** @type {Record<CatalogEntry['status'], string>} */
+/** Digits of an extrapolated energy's error, of an infimum, and of what mathematics has. */
+const ERROR_DIGITS = 2;
+const INFIMUM_DIGITS = 6;
+const EXACT_DIGITS = 7;
+
+/** @param {string} name of a shape */
+export function shapeTitle(name) {
+  return name === 'sphere' ? 'Sphere' : cageWords(name).title;
+}
+
+/**
+ * A column's head.
+ * @param {CatalogFunctional['weights']} weights of the column
+ * @returns {{name: string, formula: string, taste: string}}
+ */
+export function columnWords(weights) {
+  const parts = /** @type {Array<[FunctionalName, number]>} */ (Object.entries(weights)).map(([id, weight]) => ({
+    ...functionalWords(id),
+    weight,
+  }));
+  if (parts.length === 1) return parts[0];
+  /** @param {(part: typeof parts[number]) => string} word */
+  const sum = (word) =>
+    parts.map((part) => (part.weight === 1 ? word(part) : `${compact(part.weight)} × ${word(part)}`)).join(' + ');
+  return {
+    name: sum(({ short }) => short),
+    formula: sum(({ formula }) => formula),
+    taste: 'A blend: round, and even in its curvature.',
+  };
+}
+
+/** @type {Record<EntryStatus, {name: string, meaning: string}>} */
 export const statusWords = {
-  converged: 'converged',
-  upper_bound: 'upper bound, not converging',
-  zero_attained: 'zero is attained',
-  infimum_not_attained: 'infimum, not attained',
-  none_found: 'no minimizer found',
+  converged: {
+    name: 'converged',
+    meaning:
+      'Three levels of refinement converge. The energy is their limit, and the bar holds for every order of convergence from 1 on.',
+  },
+  upper_bound: {
+    name: 'upper bound',
+    meaning:
+      'The energies of the levels do not settle. The number is the energy of a genuine surface, so the infimum is not above it.',
+  },
+  zero_attained: { name: 'attained', meaning: 'The functional is zero on this surface, and never less.' },
+  infimum_not_attained: {
+    name: 'infimum, not attained',
+    meaning: 'Energies come as close to the number as one likes, but no surface has it.',
+  },
+  none_found: { name: 'none found', meaning: 'No run ended with a surface that could stand for a minimizer.' },
 };
 
 /**
- * The energy with as much certainty as there is: 3916 ± 35, ≤ 263, 0, or a dash.
- * @param {Pick<CatalogEntry, 'status' | 'energy' | 'error'>} entry
+ * An entry's energy.
+ * @param {CatalogEntry} entry
+ * @returns {{value: string, error: string, note: string}} `error` and `note`, which says what the number is, are empty where there is
+ *   nothing to say
  */
 export function energyWords({ status, energy, error }) {
-  if (energy === null) return '–';
-  if (status === 'converged' && error !== null) {
-    const told = withError(energy, error, 2);
-    return told.error ? `${told.value} ± ${told.error}` : told.value;
+  const note = status === 'converged' ? '' : statusWords[status].name;
+  if (energy === null) return { value: '–', error: '', note };
+  switch (status) {
+    case 'converged':
+      return { ...withError(energy, error ?? NaN, ERROR_DIGITS), note };
+    case 'upper_bound':
+      return { value: `≤ ${upperBound(energy)}`, error: '', note };
+    default:
+      return { value: significant(energy, INFIMUM_DIGITS), error: '', note };
   }
-  const digits = significant(energy, status === 'upper_bound' ? 4 : 6);
-  return status === 'upper_bound' ? `≤ ${digits}` : digits;
 }
 
-/** A column of the catalog: a functional, or a blend whose name joins theirs. @param {string} name */
-export function columnWords(name) {
-  const known = functionals.find(({ id }) => id === name);
-  if (known) return known.name;
-  const parts = functionals.filter(({ id }) => name === id || name.startsWith(`${id}_`) || name.endsWith(`_${id}`));
-  return parts.length ? parts.map((part) => part.name).join(' + ') : name;
+/** What others have for an entry: the paper's table and mathematics. @param {CatalogEntry} entry @returns {string[]} */
+export function besideWords({ paper, exact }) {
+  const words = [];
+  if (paper !== null) words.push(`paper ${significant(paper, Math.max(1, String(Math.round(paper)).length))}`);
+  if (exact !== null && exact !== 0) words.push(`exact ${compact(exact, EXACT_DIGITS)}`);
+  return words;
 }
