@@ -2,14 +2,18 @@
 /**
  * @file The studio's entry: one state, the worker that changes it, and the views that show it.
  */
+import { parseStudioAddress } from './address/studio.js';
 import { createEffects } from './effects.js';
+import { loadEntry } from './files/entry.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { initialState, reduce } from './state/reduce.js';
 import { createCageView } from './views/cage.js';
 import { createCertificateView } from './views/certificate.js';
+import { createCopyView } from './views/copy.js';
 import { find, setText, whenChanged } from './views/dom.js';
 import { createDropView, createFileTaker } from './views/drop.js';
+import { createEntryView } from './views/entry.js';
 import { createLegendView } from './views/legend.js';
 import { createLimitView } from './views/limit.js';
 import { createAlertView, createDownloadsView } from './views/notices.js';
@@ -28,8 +32,20 @@ const client = createClient({
   onMessage: (message) => dispatch({ type: 'answered', message }),
   onLost: (loss, detail) => dispatch({ type: 'workerLost', loss, detail }),
 });
-const effects = createEffects({ client, save: saveFile });
-let state = initialState(storedTheme());
+const effects = createEffects({
+  client,
+  save: saveFile,
+  load: async (name) => {
+    const found = await loadEntry(name);
+    dispatch(
+      'missing' in found
+        ? { type: 'entryMissing', name, message: found.missing }
+        : { type: 'entryLoaded', name, ...found },
+    );
+  },
+  setAddress: (search) => history.replaceState(null, '', location.pathname + search),
+});
+let state = initialState(storedTheme(), parseStudioAddress(location.search));
 
 /** @param {Action} action */
 function dispatch(action) {
@@ -46,9 +62,10 @@ const byId = (id) => find(document, `#${id}`);
 const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), (chosen) =>
   dispatch({ type: 'viewChanged', change: { theme: chosen } }),
 );
-const legend = createLegendView(byId('legend'), dispatch);
+const legend = createLegendView(byId('legend'), (shading) => dispatch({ type: 'viewChanged', change: { shading } }));
 const surface = createSurfaceView(byId('surface'), dispatch);
 const plain = [
+  createEntryView(byId('entry'), dispatch),
   createCageView(byId('cage'), dispatch, takeFiles),
   createObjectiveView(byId('objective'), dispatch),
   createRunView(byId('run'), dispatch),
@@ -61,15 +78,22 @@ const plain = [
   createAlertView(byId('alert'), dispatch),
 ];
 createDropView(byId('drop'), takeFiles);
+createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')));
 
 const recolour = whenChanged((/** @type {boolean} */ dark) => surface.recolour());
 
 function show() {
   recolour(theme.update(state.view.theme));
-  surface.update(state, legend.update(state));
+  // While the surface moves the range is calm; another cage or a surface at rest gets its own.
+  const range = legend.update({
+    shading: state.view.shading,
+    curvatures: state.surface ? [state.surface.limit.curvatures] : [],
+    occasion: `${state.run} ${state.status === 'running'}`,
+  });
+  surface.update(state, range);
   for (const view of plain) view.update(state);
   setText(byId('version'), state.version);
 }
 
-effects({ type: 'alertDismissed' }, { ...state, opening: null }, state);
+effects({ type: 'alertDismissed' }, { ...state, opening: null, wanted: null }, state);
 show();

@@ -33,6 +33,7 @@ int run_command_line(int argc, const char* const* argv) {
   add_evaluate_command(app, exit_code);
   add_optimize_command(app, exit_code);
   add_check_gradient_command(app, exit_code);
+  add_torus_command(app, exit_code);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) throw CLI::RequiredError("A command");

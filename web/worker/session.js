@@ -7,6 +7,7 @@
 import { createCertification } from './certification.js';
 import { MOVING_QUADS, RESTING_QUADS, SAVED_QUADS, densityFor } from './density.js';
 import { Occasion } from './occasion.js';
+import { cageFrom } from './sources.js';
 
 /** @import {Cage, Minimizer} from '../../wasm/umbilic.js' */
 /** @import {Command, Message, Open} from './protocol.js' */
@@ -70,11 +71,7 @@ export function createSession({ core, post, yieldThen, now }) {
 
   /** @param {Open} command */
   function open(command) {
-    const { source } = command;
-    const cage =
-      source.kind === 'text'
-        ? core.Cage.read(source.text)
-        : core.Cage.generate(source.name, { family: source.family, thickness: source.thickness });
+    const { cage, counts } = cageFrom(core.Cage, command.source);
     try {
       const opened = new core.Minimizer(cage, command.options);
       certification.drop();
@@ -90,7 +87,7 @@ export function createSession({ core, post, yieldThen, now }) {
       measuredEvaluations = -1;
       samples = [];
       surfaceOccasion.postpone();
-      post({ type: 'opened', run, counts: cage.counts, group: opened.group });
+      post({ type: 'opened', run, counts, group: opened.group });
     } finally {
       cage.dispose();
     }

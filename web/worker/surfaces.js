@@ -10,7 +10,7 @@ import { SAVED_QUADS, densityFor } from './density.js';
 
 /**
  * The generated cage, the final control mesh or the limit mesh as OBJ, or the latter's arrays; `surface` is not looked at for the cage.
- * @typedef {{request: number, what: 'cage' | 'control' | 'limit' | 'mesh', cage: CatalogCage, surface: CatalogSurface | null}} SurfaceCommand
+ * @typedef {{request: number, what: 'cage' | 'control' | 'limit' | 'mesh', cage: CatalogCage, surface: CatalogSurface | null, quads?: number}} SurfaceCommand
  */
 
 /** @typedef {{request: number, made: string | Mesh} | {request: number, failure: string}} SurfaceMessage */

@@ -23,32 +23,24 @@ const FILLED = 0.94;
 const LEAST_RANGE = 3;
 
 /**
- * Where each shape is seen from: the azimuth about the axis of its symmetry and the elevation, in degrees. Chosen so that its junctions and
- * the way through it are seen.
+ * Where each shape is seen from, in degrees as in addresses. Chosen so that its junctions and the way through it are seen.
  * @type {Record<string, [azimuth: number, elevation: number]>}
  */
 const views = {
-  'two-3': [-45, 24],
-  'two-12': [-15, 22],
-  'tetrahedron-frame': [10, 25],
-  'cube-frame': [-60, 33],
-  'octahedron-frame': [10, 25],
-  'dodecahedron-frame': [-60, 35],
-  'hexagonal-prism-frame': [-60, 30],
-  'truncated-tetrahedron-frame': [10, 25],
+  'two-3': [45, 24],
+  'two-12': [75, 22],
+  'tetrahedron-frame': [100, 25],
+  'cube-frame': [30, 33],
+  'octahedron-frame': [100, 25],
+  'dodecahedron-frame': [30, 35],
+  'hexagonal-prism-frame': [30, 30],
+  'truncated-tetrahedron-frame': [100, 25],
 };
 /** @type {[number, number]} */
-const usualView = [-20, 26];
-
-/** From the surface to the camera, in the scene, where y is upwards. @param {string} shape */
-function direction(shape) {
-  const [azimuth, elevation] = (views[shape] ?? usualView).map((degrees) => (degrees * Math.PI) / 180);
-  const level = Math.cos(elevation);
-  return new Vector3(level * Math.cos(azimuth), Math.sin(elevation), -level * Math.sin(azimuth));
-}
+const usualView = [70, 26];
 
 const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('canvas'));
-const scene = createScene(canvas, { calm: true, slow: true });
+const scene = createScene(canvas, { calm: true, slow: true, rested: () => {} });
 scene.setUp('z');
 
 /** Of unit size, so that curvatures of one row compare. @param {Mesh} mesh */
@@ -125,11 +117,10 @@ const thumbnails = {
   show(index) {
     const { positions } = meshes[index];
     scene.setSurface(meshes[index]);
-    const { target, object } = scene.controls;
-    object.position.copy(target).add(direction(shape));
-    scene.fit(positions, false);
+    const [azimuth, elevation] = views[shape] ?? usualView;
+    scene.fit(positions);
+    scene.setCamera({ azimuth, elevation, distance: 1, target: [0, 0, 0] });
     frame(positions);
-    scene.requestRender();
   },
 };
 

@@ -1,98 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the catalog says of its shapes, columns and entries.
+ * @file What only the catalog says: where its shapes have junctions, how an entry is computed again, and how it is cited.
  */
 import { cageWords } from '../../words/cages.js';
-import { functionalWords } from '../../words/functionals.js';
-import { compact, counted, significant, upperBound, whole, withError } from '../../words/numbers.js';
+import { counted } from '../../words/numbers.js';
 
-/** @import {FunctionalName} from '../../../wasm/types.js' */
-/** @import {CatalogEntry, CatalogFunctional, CatalogShape, EntryStatus} from '../../files/catalog.js' */
-
-/** Digits of an extrapolated energy's error, of an infimum, and of what mathematics has. */
-const ERROR_DIGITS = 2;
-const INFIMUM_DIGITS = 6;
-const EXACT_DIGITS = 7;
-
-/** @param {string} words */
-export const capitalized = (words) => words[0].toUpperCase() + words.slice(1);
-
-/** @param {string} name of a shape */
-export function shapeTitle(name) {
-  return name === 'sphere' ? 'Sphere' : cageWords(name).title;
-}
+/** @import {CatalogEntry, CatalogFunctional, CatalogShape} from '../../files/catalog.js' */
 
 /** "8 junctions of 3 arms". @param {CatalogShape} shape @returns {string} empty where there are none, or where the title says it */
 export function junctionWords({ name, junctions, arms }) {
   return junctions && !name.startsWith('two-') ? `${counted(junctions, 'junction')} of ${counted(arms, 'arm')}` : '';
-}
-
-/**
- * A column's head.
- * @param {CatalogFunctional} functional
- * @returns {{name: string, formula: string, taste: string}}
- */
-export function columnWords({ weights }) {
-  const parts = /** @type {Array<[FunctionalName, number]>} */ (Object.entries(weights)).map(([id, weight]) => ({
-    ...functionalWords(id),
-    weight,
-  }));
-  if (parts.length === 1) return parts[0];
-  /** @param {(part: typeof parts[number]) => string} word */
-  const sum = (word) =>
-    parts.map((part) => (part.weight === 1 ? word(part) : `${compact(part.weight)} × ${word(part)}`)).join(' + ');
-  return {
-    name: sum(({ short }) => short),
-    formula: sum(({ formula }) => formula),
-    taste: 'A blend: round, and even in its curvature.',
-  };
-}
-
-/** @type {Record<EntryStatus, {name: string, meaning: string}>} */
-export const statusWords = {
-  converged: {
-    name: 'converged',
-    meaning:
-      'Three levels of refinement converge. The energy is their limit, and the bar holds for every order of convergence from 1 on.',
-  },
-  upper_bound: {
-    name: 'upper bound',
-    meaning:
-      'The energies of the levels do not settle. The number is the energy of a genuine surface, so the infimum is not above it.',
-  },
-  zero_attained: { name: 'attained', meaning: 'The functional is zero on this surface, and never less.' },
-  infimum_not_attained: {
-    name: 'infimum, not attained',
-    meaning: 'Energies come as close to the number as one likes, but no surface has it.',
-  },
-  none_found: { name: 'none found', meaning: 'No run ended with a surface that could stand for a minimizer.' },
-};
-
-/**
- * An entry's energy.
- * @param {CatalogEntry} entry
- * @returns {{value: string, error: string, note: string}} `error` is empty where there is none, `note` where the number
- *   says itself what it is
- */
-export function energyWords({ status, energy, error }) {
-  const note = status === 'converged' || status === 'upper_bound' ? '' : statusWords[status].name;
-  if (energy === null) return { value: '–', error: '', note };
-  switch (status) {
-    case 'converged':
-      return { ...withError(energy, error ?? NaN, ERROR_DIGITS), note };
-    case 'upper_bound':
-      return { value: `≤ ${upperBound(energy)}`, error: '', note };
-    default:
-      return { value: significant(energy, INFIMUM_DIGITS), error: '', note };
-  }
-}
-
-/** What others have for an entry: the paper's table and mathematics. @param {CatalogEntry} entry @returns {string[]} */
-export function besideWords({ paper, exact }) {
-  const words = [];
-  if (paper !== null) words.push(`paper ${whole(paper)}`);
-  if (exact !== null && exact !== 0) words.push(`exact ${compact(exact, EXACT_DIGITS)}`);
-  return words;
 }
 
 /**
@@ -113,7 +30,7 @@ export function commands({ name, cage }, { weights }, { settings }) {
   ].join('\n');
 }
 
-/** How the catalog, or a number of it, is cited. @param {string} version @param {string} address of the catalog */
+/** How the catalog is cited. @param {string} version @param {string} address of the catalog */
 export function citation(version, address) {
   return `umbilic ${version}, a catalog of minimizers of curvature functionals, ${address}`;
 }

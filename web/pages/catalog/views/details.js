@@ -3,14 +3,15 @@
  * @file Everything that is known of one entry, in a dialog: its energy and where it comes from, its energies under all functionals, its
  * levels, and its downloads.
  */
+import { MOST, entryName } from '../../../address/compare.js';
+import { studioLink } from '../../../address/links.js';
 import { functionals } from '../../../words/functionals.js';
 import { compact, counted, significant, whole, withError } from '../../../words/numbers.js';
 import { element, find, whenChanged } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
-import { studioAddress } from '../address.js';
-import { MOST_CHOSEN } from '../reduce.js';
-import { entryId, findEntry } from '../select.js';
-import { capitalized, columnWords, commands, junctionWords, shapeTitle, statusWords } from '../words.js';
+import { findEntry } from '../select.js';
+import { capitalized, columnWords, shapeTitle, statusWords } from '../../../words/entries.js';
+import { commands, junctionWords } from '../words.js';
 import { energyNodes, picture } from './cell.js';
 
 /** @import {CatalogEntry, CatalogShape} from '../../../files/catalog.js' */
@@ -134,8 +135,8 @@ export function createDetailsView(dialog, dispatch) {
 
   /** @param {Found} found */
   function fill({ entry, shape, functional }) {
-    const id = entryId(entry);
-    const column = columnWords(functional);
+    const id = entryName(entry);
+    const column = columnWords(functional.weights);
     const title = element('h2', { id: 'details-title' }, shapeTitle(shape.name));
     const about = element('p', { class: 'muted' }, `${column.name}: ${column.formula}`);
     const energy = element('p', { class: 'energy' }, ...energyNodes(entry));
@@ -152,11 +153,7 @@ export function createDetailsView(dialog, dispatch) {
       });
     const actions = entry.minimizer
       ? [
-          element(
-            'a',
-            { class: 'button primary', href: studioAddress(entry.shape, entry.functional) },
-            'Open in the studio',
-          ),
+          element('a', { class: 'button primary', href: studioLink(entry) }, 'Open in the studio'),
           element('label', { class: 'check' }, choose, 'Compare'),
         ]
       : [];
@@ -185,7 +182,7 @@ export function createDetailsView(dialog, dispatch) {
     content.scrollTop = 0;
   }
 
-  const show = whenChanged((/** @type {State['catalog']} */ catalog, /** @type {EntryId | null} */ id) => {
+  const show = whenChanged((/** @type {State['catalog']} */ catalog, /** @type {EntryId} */ id) => {
     const found = findEntry(catalog, id);
     if (found) {
       fill(found);
@@ -198,10 +195,10 @@ export function createDetailsView(dialog, dispatch) {
   return {
     /** @param {State} state */
     update(state) {
-      const id = state.place.entry;
+      const id = state.address.entry;
       show(state.catalog, id);
-      choose.checked = id !== null && state.chosen.includes(id);
-      choose.disabled = !choose.checked && state.chosen.length >= MOST_CHOSEN;
+      choose.checked = state.chosen.includes(id);
+      choose.disabled = !choose.checked && state.chosen.length >= MOST;
       for (const button of buttons) {
         const busy = state.exporting?.what === button.name;
         button.setAttribute('aria-busy', String(busy));

@@ -2,9 +2,10 @@
 /**
  * @file How to read the catalog: what is minimized, what is known of an entry, and how to cite it.
  */
+import { statuses } from '../../../address/catalog.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
-import { statuses } from '../address.js';
-import { capitalized, citation, columnWords, statusWords } from '../words.js';
+import { capitalized, columnWords, statusWords } from '../../../words/entries.js';
+import { citation } from '../words.js';
 
 /** @import {Catalog} from '../../../files/catalog.js' */
 /** @import {State} from '../types.js' */
@@ -22,7 +23,7 @@ export function createReadingView(root) {
   const fill = whenChanged((/** @type {Catalog} */ catalog) => {
     columns.replaceChildren(
       ...catalog.functionals.flatMap((functional) => {
-        const { name, formula, taste } = columnWords(functional);
+        const { name, formula, taste } = columnWords(functional.weights);
         return [
           element('dt', {}, name),
           element('dd', {}, element('span', { class: 'formula' }, formula), ` ${taste}`),

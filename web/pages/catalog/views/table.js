@@ -6,11 +6,12 @@ import { counted } from '../../../words/numbers.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
 import { allRows, groupOf, visibleRows } from '../select.js';
-import { columnWords, junctionWords, shapeTitle } from '../words.js';
+import { columnWords, shapeTitle } from '../../../words/entries.js';
+import { junctionWords } from '../words.js';
 import { createCell, emptyCell } from './cell.js';
 
 /** @import {Catalog} from '../../../files/catalog.js' */
-/** @import {Action, Row, Sort, State} from '../types.js' */
+/** @import {Action, Row, State} from '../types.js' */
 
 /**
  * @param {string} key what the column orders by
@@ -37,7 +38,7 @@ function createRow(row, { functionals }, dispatch) {
   ];
   const name = element('th', { scope: 'row' }, element('strong', {}, title), ...facts);
   const cells = entries.map(
-    (entry, i) => entry && createCell(entry, `${title}, ${columnWords(functionals[i]).name}`, dispatch),
+    (entry, i) => entry && createCell(entry, `${title}, ${columnWords(functionals[i].weights).name}`, dispatch),
   );
   return {
     name: shape.name,
@@ -77,7 +78,7 @@ export function createTableView(root, dispatch) {
       head('shape', 'Shape', undefined, { class: 'shape' }),
       head('genus', 'Genus', undefined, { class: 'genus' }),
       ...catalog.functionals.map((functional) => {
-        const { name, formula } = columnWords(functional);
+        const { name, formula } = columnWords(functional.weights);
         return head(functional.name, name, formula);
       }),
     );
@@ -94,9 +95,11 @@ export function createTableView(root, dispatch) {
     body.replaceChildren(...names.split(' ').flatMap((name) => byName.get(name) ?? []));
   });
 
-  const mark = whenChanged((/** @type {Sort} */ { key, direction }) => {
+  const mark = whenChanged((/** @type {string} */ key, /** @type {'asc' | 'desc'} */ direction) => {
     for (const cell of heads.children) cell.removeAttribute('aria-sort');
-    heads.querySelector(`th[data-key="${CSS.escape(key)}"]`)?.setAttribute('aria-sort', direction);
+    heads
+      .querySelector(`th[data-key="${CSS.escape(key)}"]`)
+      ?.setAttribute('aria-sort', direction === 'asc' ? 'ascending' : 'descending');
   });
 
   return {
@@ -109,7 +112,7 @@ export function createTableView(root, dispatch) {
       fill(state.catalog);
       const visible = visibleRows(state);
       order(visible.map(({ shape }) => shape.name).join(' '));
-      mark(state.place.sort);
+      mark(state.address.sort, state.address.direction);
       for (const row of rows) row.update(state);
       setText(note, visible.length ? '' : 'No shape is like that.');
       find(root, 'thead').hidden = !visible.length;
