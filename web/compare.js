@@ -13,6 +13,7 @@ import { createToolsView } from './pages/compare/views/tools.js';
 import { createCopyView } from './views/copy.js';
 import { find } from './views/dom.js';
 import { createLegendView } from './views/legend.js';
+import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
 import { createSurfaceClient } from './worker/surface_client.js';
 
@@ -47,7 +48,11 @@ const legend = createLegendView(
   () => 'where a sphere of the same area has 1',
 );
 const panes = createPanesView(byId('panes'), dispatch);
-const views = [createToolsView(byId('comparison'), dispatch, panes.draws), createTableView(byId('energies'))];
+const views = [
+  createNoticesView(byId('notices'), () => dispatch({ type: 'noticesDismissed' })),
+  createToolsView(byId('comparison'), dispatch, panes.draws),
+  createTableView(byId('energies')),
+];
 createCopyView(find(document, '#copy'));
 
 /** @param {State} shown @returns {Float32Array[]} */

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What stands around the surfaces: the buttons that add one and fit all, and the notices.
+ * @file What stands around the surfaces: the buttons that add one and fit all.
  */
 import { MOST } from '../../../address/compare.js';
-import { find, onPress, setEnabled, setText } from '../../../views/dom.js';
+import { find, onPress, setEnabled } from '../../../views/dom.js';
 
 /** @import {Action, State} from '../types.js' */
 
@@ -17,22 +17,15 @@ export function createToolsView(root, dispatch, draws) {
   const { signal } = listening;
   const add = /** @type {HTMLButtonElement} */ (find(root, '#add'));
   const fit = /** @type {HTMLButtonElement} */ (find(root, '#fit'));
-  const notices = find(root, '#notices');
-  const words = find(notices, 'p');
   onPress(add, () => dispatch({ type: 'entryAdded' }), signal);
   onPress(fit, () => dispatch({ type: 'fitPressed' }), signal);
-  onPress(find(notices, 'button'), () => dispatch({ type: 'noticesDismissed' }), signal);
   find(root, '.no-webgl').hidden = draws;
   find(root, '#legend').hidden = !draws;
   fit.hidden = !draws;
 
   return {
     /** @param {State} state */
-    update(state) {
-      setEnabled(add, state.entries.length < MOST);
-      notices.hidden = !state.notices.length;
-      setText(words, state.notices.join(' '));
-    },
+    update: (state) => setEnabled(add, state.entries.length < MOST),
     dispose: () => listening.abort(),
   };
 }
