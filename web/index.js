@@ -15,6 +15,7 @@ import { createFiltersView } from './pages/catalog/views/filters.js';
 import { createReadingView } from './pages/catalog/views/reading.js';
 import { createTableView } from './pages/catalog/views/table.js';
 import { find } from './views/dom.js';
+import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
 import { createSurfaceClient } from './worker/surface_client.js';
 
@@ -49,6 +50,7 @@ function dispatch(action) {
 const byId = (id) => find(document, `#${id}`);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
 const views = [
+  createNoticesView(byId('notices'), () => dispatch({ type: 'noticesDismissed' })),
   createFiltersView(byId('filters'), dispatch),
   createTableView(byId('table'), dispatch),
   createChoiceView(byId('choice'), dispatch),

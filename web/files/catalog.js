@@ -24,6 +24,8 @@
 
 /** @typedef {Omit<LevelReport, 'energyReported' | 'seconds'> & {energy_reported: number | null}} EntryLevel */
 
+/** `agrees`: null where one of the two has no error bar. @typedef {{family: string, energy: number | null, error: number | null, agrees: boolean | null, levels: EntryLevel[]}} SecondFamily */
+
 /**
  * @typedef {object} CatalogEntry
  * @property {string} shape
@@ -42,7 +44,7 @@
  * @property {EntryLevel[]} levels
  * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null}} extrapolated
  * @property {CertificateReport | null} certificate
- * @property {{family: string, energy: number | null, error: number | null, levels: [number, number], agrees: boolean} | null} second_family
+ * @property {SecondFamily | null} second_family the same from other cages
  * @property {string | null} minimizer the file of its surface, beside the catalog
  * @property {number} level of that surface, in Catmull-Clark steps from the cage
  * @property {number} faces of its control mesh

@@ -60,6 +60,8 @@ export function reduce(state, action) {
       return { ...state, exporting: null };
     case 'exportFailed':
       return { ...state, exporting: null, exportProblem: action.message };
+    case 'noticesDismissed':
+      return { ...state, notices: [] };
     case 'themeChosen':
       return { ...state, theme: action.theme };
     case 'tablePressed':

@@ -42,6 +42,7 @@
  *   | {type: 'downloadPressed', entry: EntryId, what: Download}
  *   | {type: 'exported'} | {type: 'exportFailed', message: string}
  *   | {type: 'tablePressed'}
+ *   | {type: 'noticesDismissed'}
  *   | {type: 'themeChosen', theme: Theme}} Action
  */
 

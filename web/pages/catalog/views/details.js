@@ -6,7 +6,7 @@
 import { MOST, entryName } from '../../../address/compare.js';
 import { studioLink } from '../../../address/links.js';
 import { functionals } from '../../../words/functionals.js';
-import { compact, counted, significant, whole, withError } from '../../../words/numbers.js';
+import { compact, counted, significant, upperBound, whole, withError } from '../../../words/numbers.js';
 import { element, find, whenChanged } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
 import { findEntry } from '../select.js';
@@ -34,6 +34,9 @@ const downloads = [
   { what: 'glb', name: 'GLB', title: 'The limit surface as a glTF model' },
 ];
 
+/** @param {string} words */
+const sentence = (words) => capitalized(words).replace(/\.?$/, '.');
+
 /** @param {string} term @param {...(Node | string)} value */
 const fact = (term, ...value) => element('div', {}, element('dt', {}, term), element('dd', {}, ...value));
 
@@ -54,8 +57,9 @@ function facts(entry, shape) {
   }
   if (second && second.energy !== null) {
     const { value, error } = withError(second.energy, second.error ?? NaN, 2);
-    const verdict = second.agrees ? 'agrees' : 'does not agree';
-    list.push(fact(`From ${second.family} cages`, `${value}${error && ` ± ${error}`}, ${verdict}`));
+    const bound = second.error === null ? `≤ ${upperBound(second.energy)}` : `${value} ± ${error}`;
+    const verdict = second.agrees === null ? '' : second.agrees ? ', agrees' : ', does not agree';
+    list.push(fact(`From ${second.family} cages`, bound + verdict));
   }
   if (certificate) {
     const { negative, level } = certificate;
@@ -141,7 +145,12 @@ export function createDetailsView(dialog, dispatch) {
     const about = element('p', { class: 'muted' }, `${column.name}: ${column.formula}`);
     const energy = element('p', { class: 'energy' }, ...energyNodes(entry));
     const { name, meaning } = statusWords[entry.status];
-    const known = element('p', {}, element('strong', {}, capitalized(name)), `. ${entry.reason ?? meaning}`);
+    const known = element(
+      'p',
+      {},
+      element('strong', {}, capitalized(name)),
+      `. ${entry.reason ? sentence(entry.reason) : meaning}`,
+    );
     choose = element('input', { type: 'checkbox' });
     choose.addEventListener('change', () => dispatch({ type: 'entryChosen', entry: id, chosen: choose.checked }));
     buttons = downloads
