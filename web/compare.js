@@ -15,16 +15,14 @@ import { find } from './views/dom.js';
 import { createLegendView } from './views/legend.js';
 import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
-import { createSurfaceClient } from './worker/surface_client.js';
+import { createRequests } from './worker/requests.js';
 
 /** @import {Action, State} from './pages/compare/types.js' */
 
 const effects = createEffects({
   dispatch: (action) => dispatch(action),
   loadSurface,
-  makeSurface: createSurfaceClient(
-    () => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' }),
-  ),
+  makeSurface: createRequests(() => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' })),
   setAddress: (search) => history.replaceState(null, '', location.pathname + search),
 });
 let state = initialState(storedTheme(), parseCompareAddress(location.search));

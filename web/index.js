@@ -1,13 +1,67 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The catalog's entry, which is also the home page.
+ * @file The catalog's entry, which is also the home page: one state, and the views that show it. What draws and computes is loaded only
+ * when a download needs it.
  */
+import { loadCatalog, loadSurface } from './files/catalog.js';
+import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
+import { parsePlace } from './pages/catalog/address.js';
+import { createEffects } from './pages/catalog/effects.js';
+import { initialState, reduce } from './pages/catalog/reduce.js';
+import { createChoiceView } from './pages/catalog/views/choice.js';
+import { createDetailsView } from './pages/catalog/views/details.js';
+import { createFiltersView } from './pages/catalog/views/filters.js';
+import { createReadingView } from './pages/catalog/views/reading.js';
+import { createTableView } from './pages/catalog/views/table.js';
 import { find } from './views/dom.js';
 import { createThemeView } from './views/theme.js';
+import { createRequests } from './worker/requests.js';
 
-const theme = createThemeView(find(document, '#theme'), (chosen) => {
-  storeTheme(chosen);
-  theme.update(chosen);
+/** @import {Action} from './pages/catalog/types.js' */
+
+const effects = createEffects({
+  dispatch: (action) => dispatch(action),
+  makeSurface: createRequests(() => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' })),
+  loadSurface,
+  loadFormats: () => import('./files/mesh_formats.js'),
+  save: saveFile,
+  setQuery(query, how) {
+    const address = `${location.pathname}${query}`;
+    if (how === 'push') history.pushState(null, '', address);
+    else history.replaceState(null, '', address);
+  },
 });
-theme.update(storedTheme());
+let state = initialState(parsePlace(location.search), storedTheme());
+
+/** @param {Action} action */
+function dispatch(action) {
+  const before = state;
+  state = reduce(before, action);
+  effects(action, before, state);
+  if (state.theme !== before.theme) storeTheme(state.theme);
+  show();
+}
+
+/** @param {string} id */
+const byId = (id) => find(document, `#${id}`);
+const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
+const views = [
+  createFiltersView(byId('filters'), dispatch),
+  createTableView(byId('table'), dispatch),
+  createChoiceView(byId('choice'), dispatch),
+  createDetailsView(find(document, '#details'), dispatch),
+  createReadingView(byId('reading')),
+];
+
+function show() {
+  theme.update(state.theme);
+  for (const view of views) view.update(state);
+}
+
+addEventListener('popstate', () => dispatch({ type: 'addressFollowed', place: parsePlace(location.search) }));
+show();
+loadCatalog().then(
+  (catalog) => dispatch({ type: 'catalogLoaded', catalog }),
+  (error) => dispatch({ type: 'catalogFailed', message: `The catalog was not loaded: ${error.message}` }),
+);

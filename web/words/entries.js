@@ -1,30 +1,38 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the catalog's shapes, columns and entries are called, and what is known of them, in words and numbers.
+ * @file What the catalog's shapes, columns and entries are called, and what is known of them.
  */
 import { cageWords } from './cages.js';
 import { functionalWords } from './functionals.js';
-import { compact, significant, upperBound, withError } from './numbers.js';
+import { compact, counted, significant, upperBound, whole, withError } from './numbers.js';
 
 /** @import {FunctionalName} from '../../wasm/types.js' */
-/** @import {CatalogEntry, CatalogFunctional, EntryStatus} from '../files/catalog.js' */
+/** @import {CatalogEntry, CatalogFunctional, CatalogShape, EntryStatus} from '../files/catalog.js' */
 
 /** Digits of an extrapolated energy's error, of an infimum, and of what mathematics has. */
 const ERROR_DIGITS = 2;
 const INFIMUM_DIGITS = 6;
 const EXACT_DIGITS = 7;
 
+/** @param {string} words */
+export const capitalized = (words) => words[0].toUpperCase() + words.slice(1);
+
 /** @param {string} name of a shape */
 export function shapeTitle(name) {
   return name === 'sphere' ? 'Sphere' : cageWords(name).title;
 }
 
+/** "8 junctions of 3 arms". @param {CatalogShape} shape @returns {string} empty where there are none, or where the title says it */
+export function junctionWords({ name, junctions, arms }) {
+  return junctions && !name.startsWith('two-') ? `${counted(junctions, 'junction')} of ${counted(arms, 'arm')}` : '';
+}
+
 /**
  * A column's head.
- * @param {CatalogFunctional['weights']} weights of the column
+ * @param {CatalogFunctional} functional
  * @returns {{name: string, formula: string, taste: string}}
  */
-export function columnWords(weights) {
+export function columnWords({ weights }) {
   const parts = /** @type {Array<[FunctionalName, number]>} */ (Object.entries(weights)).map(([id, weight]) => ({
     ...functionalWords(id),
     weight,
@@ -63,11 +71,11 @@ export const statusWords = {
 /**
  * An entry's energy.
  * @param {CatalogEntry} entry
- * @returns {{value: string, error: string, note: string}} `error` and `note`, which says what the number is, are empty where there is
- *   nothing to say
+ * @returns {{value: string, error: string, note: string}} `error` is empty where there is none, `note` where the number
+ *   says itself what it is
  */
 export function energyWords({ status, energy, error }) {
-  const note = status === 'converged' ? '' : statusWords[status].name;
+  const note = status === 'converged' || status === 'upper_bound' ? '' : statusWords[status].name;
   if (energy === null) return { value: '–', error: '', note };
   switch (status) {
     case 'converged':
@@ -82,7 +90,30 @@ export function energyWords({ status, energy, error }) {
 /** What others have for an entry: the paper's table and mathematics. @param {CatalogEntry} entry @returns {string[]} */
 export function besideWords({ paper, exact }) {
   const words = [];
-  if (paper !== null) words.push(`paper ${significant(paper, Math.max(1, String(Math.round(paper)).length))}`);
+  if (paper !== null) words.push(`paper ${whole(paper)}`);
   if (exact !== null && exact !== 0) words.push(`exact ${compact(exact, EXACT_DIGITS)}`);
   return words;
+}
+
+/**
+ * The commands that compute an entry from nothing.
+ * @param {CatalogShape} shape
+ * @param {CatalogFunctional} functional
+ * @param {CatalogEntry} entry
+ */
+export function commands({ name, cage }, { weights }, { settings }) {
+  const family = cageWords(cage.generator).frame ? ` --family ${cage.family}` : '';
+  const thickness = cage.thickness === 1 ? '' : ` --thickness ${cage.thickness}`;
+  const sum = Object.entries(weights).map(([id, weight]) => `${id}=${weight}`);
+  const objective = sum.length > 1 ? `--weights ${sum.join(',')}` : `--functional ${Object.keys(weights)[0]}`;
+  const file = `${name}.obj`;
+  return [
+    `umbilic cage ${cage.generator}${family}${thickness} -o ${file}`,
+    `umbilic optimize ${file} ${objective} --levels ${settings.levels.join('..')}`,
+  ].join('\n');
+}
+
+/** How the catalog, or a number of it, is cited. @param {string} version @param {string} address of the catalog */
+export function citation(version, address) {
+  return `umbilic ${version}, a catalog of minimizers of curvature functionals, ${address}`;
 }

@@ -108,7 +108,7 @@ function createPane(index, dispatch, pictures) {
   const fill = whenChanged((/** @type {Catalog} */ { shapes, functionals }) => {
     shape.replaceChildren(...shapes.map(({ name }) => element('option', { value: name }, shapeTitle(name))));
     functional.replaceChildren(
-      ...functionals.map(({ name, weights }) => element('option', { value: name }, columnWords(weights).name)),
+      ...functionals.map((column) => element('option', { value: column.name }, columnWords(column).name)),
     );
   });
   const showPicture = whenChanged((/** @type {string} */ name) => {
