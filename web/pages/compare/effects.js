@@ -35,7 +35,7 @@ export function createEffects({ dispatch, loadSurface, makeSurface, setAddress }
     try {
       const surface = await loadSurface(entry.minimizer);
       const mesh = await makeSurface({ what: 'mesh', cage: surface.cage, surface, quads: QUADS / entries.length });
-      return typeof mesh === 'string' ? { problem: 'There is no picture of it.' } : withUnitArea(mesh);
+      return typeof mesh === 'string' ? { problem: '' } : withUnitArea(mesh);
     } catch (error) {
       return { problem: error instanceof Error ? error.message : String(error) };
     }

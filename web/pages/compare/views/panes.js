@@ -32,6 +32,7 @@ export function createPanesView(root, dispatch) {
   const rested = (camera) => dispatch({ type: 'cameraMoved', camera });
   const scene = speed === 'never' ? null : createPanes(canvas, { calm, slow: speed === 'slow', rested });
   canvas.hidden = !scene;
+  root.classList.toggle('pictures', !scene);
   listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal);
   const panes = Array.from({ length: MOST }, (_, index) => createPane(index, dispatch, !scene));
   root.prepend(...panes.map((pane) => pane.figure));
