@@ -15,16 +15,19 @@ import { find } from './views/dom.js';
 import { createLegendView } from './views/legend.js';
 import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
-import { createSurfaceClient } from './worker/surface_client.js';
+import { createRequests } from './worker/requests.js';
 
 /** @import {Action, State} from './pages/compare/types.js' */
 
+/** @type {import('./worker/surfaces.js').MakeSurface} */
+const makeSurface = createRequests(
+  () => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' }),
+);
 const effects = createEffects({
   dispatch: (action) => dispatch(action),
   loadSurface,
-  makeSurface: createSurfaceClient(
-    () => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' }),
-  ),
+  // Where nothing is drawn, nothing need be made.
+  makeSurface: (question) => (panes.draws ? makeSurface(question) : Promise.resolve('')),
   setAddress: (search) => history.replaceState(null, '', location.pathname + search),
 });
 let state = initialState(storedTheme(), parseCompareAddress(location.search));
@@ -45,7 +48,7 @@ const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ t
 const legend = createLegendView(
   byId('legend'),
   (shading) => dispatch({ type: 'shadingChosen', shading }),
-  () => 'where a sphere of the same area has 1',
+  () => '1 on a sphere of equal area',
 );
 const panes = createPanesView(byId('panes'), dispatch);
 const views = [

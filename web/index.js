@@ -17,15 +17,13 @@ import { createTableView } from './pages/catalog/views/table.js';
 import { find } from './views/dom.js';
 import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
-import { createSurfaceClient } from './worker/surface_client.js';
+import { createRequests } from './worker/requests.js';
 
 /** @import {Action} from './pages/catalog/types.js' */
 
 const effects = createEffects({
   dispatch: (action) => dispatch(action),
-  makeSurface: createSurfaceClient(
-    () => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' }),
-  ),
+  makeSurface: createRequests(() => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' })),
   loadSurface,
   loadFormats: () => import('./files/mesh_formats.js'),
   save: saveFile,

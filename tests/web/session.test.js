@@ -70,6 +70,34 @@ describe('opening', () => {
     expect(waiting).toEqual([]);
   });
 
+  test('goes on from a minimizer by its orbits’ points: its symmetry, its cage’s counts, and its energies; coarsely first', () => {
+    const cage = Cage.generate('two-3');
+    const minimizer = new Minimizer(cage, { weights: { bending: 1 }, levels: [1, 1] });
+    while (!minimizer.step(10));
+    const points = minimizer.orbitPoints();
+    const source = /** @type {const} */ ({
+      kind: 'minimizer',
+      name: 'two-3',
+      family: 'flag',
+      thickness: 1,
+      level: 1,
+      points,
+    });
+    obey({ type: 'open', run: 1, source, options: { ...options, levels: [0, 0] } });
+    work();
+    expect(types()).toEqual(['opened', 'surfaced', 'surfaced', 'saved', 'measured']);
+    const [opened, coarse, fine, , measured] = messages;
+    expect(opened).toMatchObject({ counts: cage.counts, group: { name: 'D3h', order: 12 } });
+    expect(coarse.limit.triangles).toHaveLength(6 * 96);
+    expect(fine.limit.triangles.length).toBeGreaterThan(100 * coarse.limit.triangles.length);
+    expect(measured.energies.bending / minimizer.energies.bending).toBeCloseTo(1, 10);
+
+    obey({ type: 'open', run: 2, source: { ...source, level: 2 }, options });
+    expect(all('failed')).toEqual([expect.objectContaining({ run: 2, kind: 'input' })]);
+    minimizer.dispose();
+    cage.dispose();
+  });
+
   test('shows a cage that is too coarse to be evaluated as finely as any other', () => {
     open(1, { levels: [0, 0] });
     work();

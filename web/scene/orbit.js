@@ -76,6 +76,13 @@ export function createOrbit(element, { moved, rested }) {
       place(direction);
     },
 
+    /** The surface has another size; where the camera is, measured by it, stays. @param {Size} next */
+    hold(next) {
+      const kept = now();
+      size = next;
+      place(kept);
+    },
+
     /** A picture of another shape; what fits it stays fitted. @param {number} aspect width / height */
     resize(aspect) {
       if (aspect === camera.aspect) return;

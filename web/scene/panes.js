@@ -14,6 +14,7 @@ import { createPainter } from './painter.js';
 /** @import {Camera} from '../address/camera.js' */
 /** @import {Quantity} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
+/** @import {Size} from './placement.js' */
 
 /** A surface, if it is there, and the element above whose place on the canvas it is drawn. @typedef {{mesh: core.Mesh | null, place: Element}} Pane */
 
@@ -36,7 +37,6 @@ export function createPanes(canvas, { calm, slow, rested }) {
 
   /** @type {Array<Pane & {surface: Mesh | null}>} */
   let panes = [];
-  let fitted = false;
 
   /** Where a pane is on the canvas, in CSS pixels, from its bottom left corner. @param {Pane} pane */
   function boxOf({ place }) {
@@ -53,6 +53,7 @@ export function createPanes(canvas, { calm, slow, rested }) {
     },
     draw(renderer) {
       renderer.autoClear = false;
+      renderer.setClearColor(0, 0);
       renderer.setScissorTest(false);
       renderer.clear();
       renderer.setScissorTest(true);
@@ -76,22 +77,24 @@ export function createPanes(canvas, { calm, slow, rested }) {
     if (width && height) orbit.resize(width / height);
   }
 
-  /** The largest of them fits. */
-  function fit() {
+  /** That of the largest, about the origin; null where there is none. @returns {Size | null} */
+  function size() {
     const radii = panes.flatMap(({ mesh }) => (mesh ? [extent(mesh.positions).radius] : []));
-    if (!radii.length) return;
-    fitted = true;
-    orbit.fit({ centre: new Vector3(), radius: Math.max(...radii) });
+    return radii.length ? { centre: new Vector3(), radius: Math.max(...radii) } : null;
   }
 
   return {
     controls,
-    fit,
+    /** Moves the camera so that the largest surface fills its view. */
+    fit() {
+      const whole = size();
+      if (whole) orbit.fit(whole);
+    },
 
     /** Where all are looked at from. @param {Camera} next */
     setCamera: (next) => orbit.set(next),
 
-    /** Centred surfaces, in their order; the camera stays. @param {Pane[]} next */
+    /** Centred surfaces, in their order; the camera stays where it is for their size. @param {Pane[]} next */
     setPanes(next) {
       const before = panes;
       panes = next.map(({ mesh, place }) => {
@@ -104,7 +107,8 @@ export function createPanes(canvas, { calm, slow, rested }) {
         surface.geometry.dispose();
       }
       measure();
-      if (!fitted) fit();
+      const whole = size();
+      if (whole) orbit.hold(whole);
       painter.request();
     },
 

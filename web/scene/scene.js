@@ -91,6 +91,7 @@ export function createScene(canvas, { calm, slow, rested }) {
 
   return {
     controls,
+    requestRender: painter.request,
 
     /** Where the surface is looked at from. @param {Camera} next */
     setCamera: (next) => orbit.set(next),

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the catalog's shapes, columns and entries are called, and what is known of them, in words and numbers.
+ * @file What the catalog's shapes, columns and entries are called, and what is known of them.
  */
 import { cageWords } from './cages.js';
 import { functionalWords } from './functionals.js';
-import { compact, significant, upperBound, whole, withError } from './numbers.js';
+import { compact, counted, significant, upperBound, whole, withError } from './numbers.js';
 
 /** @import {FunctionalName} from '../../wasm/types.js' */
-/** @import {CatalogEntry, CatalogFunctional, EntryStatus} from '../files/catalog.js' */
+/** @import {CatalogEntry, CatalogFunctional, CatalogShape, EntryStatus} from '../files/catalog.js' */
 
 /** Digits of an extrapolated energy's error, of an infimum, and of what mathematics has. */
 const ERROR_DIGITS = 2;
@@ -22,12 +22,17 @@ export function shapeTitle(name) {
   return name === 'sphere' ? 'Sphere' : cageWords(name).title;
 }
 
+/** "8 junctions of 3 arms". @param {CatalogShape} shape @returns {string} empty where there are none, or where the title says it */
+export function junctionWords({ name, junctions, arms }) {
+  return junctions && !name.startsWith('two-') ? `${counted(junctions, 'junction')} of ${counted(arms, 'arm')}` : '';
+}
+
 /**
  * A column's head.
- * @param {CatalogFunctional['weights']} weights of the column
+ * @param {CatalogFunctional} functional
  * @returns {{name: string, formula: string, taste: string}}
  */
-export function columnWords(weights) {
+export function columnWords({ weights }) {
   const parts = /** @type {Array<[FunctionalName, number]>} */ (Object.entries(weights)).map(([id, weight]) => ({
     ...functionalWords(id),
     weight,
@@ -88,4 +93,27 @@ export function besideWords({ paper, exact }) {
   if (paper !== null) words.push(`paper ${whole(paper)}`);
   if (exact !== null && exact !== 0) words.push(`exact ${compact(exact, EXACT_DIGITS)}`);
   return words;
+}
+
+/**
+ * The commands that compute an entry from nothing.
+ * @param {CatalogShape} shape
+ * @param {CatalogFunctional} functional
+ * @param {CatalogEntry} entry
+ */
+export function commands({ name, cage }, { weights }, { settings }) {
+  const family = cageWords(cage.generator).frame ? ` --family ${cage.family}` : '';
+  const thickness = cage.thickness === 1 ? '' : ` --thickness ${cage.thickness}`;
+  const sum = Object.entries(weights).map(([id, weight]) => `${id}=${weight}`);
+  const objective = sum.length > 1 ? `--weights ${sum.join(',')}` : `--functional ${Object.keys(weights)[0]}`;
+  const file = `${name}.obj`;
+  return [
+    `umbilic cage ${cage.generator}${family}${thickness} -o ${file}`,
+    `umbilic optimize ${file} ${objective} --levels ${settings.levels.join('..')}`,
+  ].join('\n');
+}
+
+/** How the catalog, or a number of it, is cited. @param {string} version @param {string} address of the catalog */
+export function citation(version, address) {
+  return `umbilic ${version}, a catalog of minimizers of curvature functionals, ${address}`;
 }

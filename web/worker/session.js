@@ -44,6 +44,8 @@ export function createSession({ core, post, yieldThen, now }) {
   let ticking = false;
   /** Whether a run that has opened has told nothing more yet. */
   let introducing = false;
+  /** Whether it is a minimizer that has not been shown yet. */
+  let detailed = false;
   let levelsTold = 0;
   /** Of the surface that was told last: its level, faces of the mesh that it is evaluated on, and energy, if known. */
   let told = { level: -1, patches: 0, energy: NaN };
@@ -80,6 +82,7 @@ export function createSession({ core, post, yieldThen, now }) {
       run = command.run;
       pace = 'resting';
       introducing = true;
+      detailed = command.source.kind === 'minimizer';
       levelsTold = 0;
       told = { level: -1, patches: 0, energy: NaN };
       firstEnergy = NaN;
@@ -95,11 +98,17 @@ export function createSession({ core, post, yieldThen, now }) {
   }
 
   /**
-   * A cage that rests is shown finely; one that is to be minimized at once is not, because what moves comes sooner.
+   * A cage that rests is shown finely, a minimizer, which has many faces, with these first; one that is to be minimized at once is not,
+   * because what moves comes sooner.
    * @param {number} opened
    */
   function introduce(opened) {
     if (!introducing || run !== opened) return;
+    if (pace === 'resting' && detailed) {
+      detailed = false;
+      tellSurface(0);
+      return yieldThen(() => guard(opened, () => introduce(opened)));
+    }
     if (pace === 'resting') return tellRest();
     tellEnergies();
     surfaceOccasion.postpone();

@@ -1,44 +1,47 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file A worker's entry: makes the meshes of catalog entries, for downloads. Answers every request in its turn.
+ * @file The worker that makes the meshes of catalog entries, for downloads and for pictures.
  */
 import { Cage, Minimizer, load } from '../../wasm/umbilic.js';
 import { SAVED_QUADS, densityFor } from './density.js';
+import { answerRequests } from './requests.js';
 
 /** @import {Mesh} from '../../wasm/types.js' */
 /** @import {CatalogCage, CatalogSurface} from '../files/catalog.js' */
 
 /**
  * The generated cage, the final control mesh or the limit mesh as OBJ, or the latter's arrays; `surface` is not looked at for the cage.
- * @typedef {{request: number, what: 'cage' | 'control' | 'limit' | 'mesh', cage: CatalogCage, surface: CatalogSurface | null, quads?: number}} SurfaceCommand
+ * Limit meshes have about `quads` quads at most.
+ * @typedef {{what: 'cage' | 'control' | 'limit' | 'mesh', cage: CatalogCage, surface: CatalogSurface | null, quads?: number}} SurfaceQuestion
  */
 
-/** @typedef {{request: number, made: string | Mesh} | {request: number, failure: string}} SurfaceMessage */
+/** The page's way to it; see requests.js. @typedef {(question: SurfaceQuestion) => Promise<string | Mesh>} MakeSurface */
 
 /**
  * @param {Cage} control
  * @param {'limit' | 'mesh'} what
+ * @param {number} quads
  */
-function limit(control, what) {
+function limit(control, what, quads) {
   // The limit surface with its caps is the same under every functional.
   const minimizer = new Minimizer(control, { weights: { bending: 1 }, levels: [0, 0] });
   try {
-    const density = densityFor(control.counts.faces, SAVED_QUADS);
+    const density = densityFor(control.counts.faces, quads);
     return what === 'limit' ? minimizer.limitObj(density) : minimizer.limitMesh(density);
   } finally {
     minimizer.dispose();
   }
 }
 
-/** @param {SurfaceCommand} command @returns {string | Mesh} */
-function make({ what, cage, surface }) {
+/** @param {SurfaceQuestion} question @returns {string | Mesh} */
+function make({ what, cage, surface, quads = SAVED_QUADS }) {
   const generated = Cage.generate(cage.generator, cage);
   try {
     if (what === 'cage') return generated.obj();
     if (!surface) throw new Error('the entry has no surface');
     const control = generated.refined(surface.level, surface.points);
     try {
-      return what === 'control' ? control.obj() : limit(control, what);
+      return what === 'control' ? control.obj() : limit(control, what, quads);
     } finally {
       control.dispose();
     }
@@ -47,14 +50,13 @@ function make({ what, cage, surface }) {
   }
 }
 
-self.onmessage = async (/** @type {MessageEvent<SurfaceCommand>} */ { data }) => {
-  /** @type {SurfaceMessage} */
-  let message;
-  try {
-    await load();
-    message = { request: data.request, made: make(data) };
-  } catch (error) {
-    message = { request: data.request, failure: error instanceof Error ? error.message : String(error) };
-  }
-  self.postMessage(message);
-};
+/** @param {string | Mesh} made @returns {ArrayBuffer[]} */
+function buffers(made) {
+  if (typeof made === 'string') return [];
+  return Object.values(made).map((array) => /** @type {ArrayBuffer} */ (array.buffer));
+}
+
+answerRequests(load, (question) => {
+  const answer = make(question);
+  return { answer, transfer: buffers(answer) };
+});

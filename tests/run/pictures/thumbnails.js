@@ -23,7 +23,8 @@ const FILLED = 0.94;
 const LEAST_RANGE = 3;
 
 /**
- * Where each shape is seen from, in degrees as in addresses. Chosen so that its junctions and the way through it are seen.
+ * Where each shape is seen from: the azimuth about the axis of its symmetry and the elevation, in degrees. Chosen so that its junctions and
+ * the way through it are seen.
  * @type {Record<string, [azimuth: number, elevation: number]>}
  */
 const views = {
@@ -118,9 +119,10 @@ const thumbnails = {
     const { positions } = meshes[index];
     scene.setSurface(meshes[index]);
     const [azimuth, elevation] = views[shape] ?? usualView;
-    scene.fit(positions);
     scene.setCamera({ azimuth, elevation, distance: 1, target: [0, 0, 0] });
+    scene.fit(positions);
     frame(positions);
+    scene.requestRender();
   },
 };
 

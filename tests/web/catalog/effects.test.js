@@ -6,7 +6,7 @@ import { describe, expect, test } from '@jest/globals';
 import { parseCatalogAddress } from '../../../web/address/catalog.js';
 import { createEffects } from '../../../web/pages/catalog/effects.js';
 import { initialState, reduce } from '../../../web/pages/catalog/reduce.js';
-import { createSurfaceClient } from '../../../web/worker/surface_client.js';
+import { createRequests } from '../../../web/worker/requests.js';
 import { catalog } from './small.js';
 
 /** @import {Action, State} from '../../../web/pages/catalog/types.js' */
@@ -113,7 +113,7 @@ describe('the worker of the surfaces', () => {
   function workers() {
     /** @type {any[]} */
     const started = [];
-    const make = createSurfaceClient(() => {
+    const make = createRequests(() => {
       const worker = {
         postMessage: (/** @type {any} */ data) => worker.got.push(data),
         got: /** @type {any[]} */ ([]),
@@ -129,7 +129,7 @@ describe('the worker of the surfaces', () => {
     expect(started).toHaveLength(0);
     const [first, second] = [make(command), make(command)];
     const [worker] = started;
-    worker.onmessage({ data: { request: worker.got[1].request, made: 'second' } });
+    worker.onmessage({ data: { request: worker.got[1].request, answer: 'second' } });
     worker.onmessage({ data: { request: worker.got[0].request, failure: 'no such cage' } });
     expect(await second).toBe('second');
     await expect(first).rejects.toThrow('no such cage');
@@ -142,7 +142,7 @@ describe('the worker of the surfaces', () => {
     started[0].onerror({ message: 'out of memory' });
     await expect(lost).rejects.toThrow('out of memory');
     const next = make(command);
-    started[1].onmessage({ data: { request: started[1].got[0].request, made: 'v' } });
+    started[1].onmessage({ data: { request: started[1].got[0].request, answer: 'v' } });
     expect(await next).toBe('v');
   });
 });

@@ -3,8 +3,15 @@
  * @file What the catalog says of shapes, columns and entries, number by number.
  */
 import { describe, expect, test } from '@jest/globals';
-import { citation, commands, junctionWords } from '../../../web/pages/catalog/words.js';
-import { besideWords, columnWords, energyWords, shapeTitle } from '../../../web/words/entries.js';
+import {
+  besideWords,
+  citation,
+  columnWords,
+  commands,
+  energyWords,
+  junctionWords,
+  shapeTitle,
+} from '../../../web/words/entries.js';
 import { upperBound } from '../../../web/words/numbers.js';
 import { catalog, entry } from './small.js';
 
@@ -68,12 +75,11 @@ describe('a title', () => {
     expect(shapeTitle('two-3')).toBe('Two junctions, 3 arms');
     expect(junctionWords(catalog.shapes[1])).toBe('4 junctions of 3 arms');
     expect(junctionWords(catalog.shapes[3])).toBe('');
-    expect(columnWords(catalog.functionals[0].weights)).toMatchObject({
-      name: 'Bending energy',
-      formula: '∫ κ₁² + κ₂² dA',
-    });
-    expect(columnWords(catalog.functionals[2].weights).name).toBe('Bending + MVS cross');
-    expect(columnWords({ bending: 0.95, mvs_cross: 0.05 }).name).toBe('0.95 × Bending + 0.05 × MVS cross');
+    expect(columnWords(catalog.functionals[0])).toMatchObject({ name: 'Bending energy', formula: '∫ κ₁² + κ₂² dA' });
+    expect(columnWords(catalog.functionals[2]).name).toBe('Bending + MVS cross');
+    expect(columnWords({ name: 'x', weights: { bending: 0.95, mvs_cross: 0.05 } }).name).toBe(
+      '0.95 × Bending + 0.05 × MVS cross',
+    );
   });
 
   test('and an address are how the catalog is cited, with its version', () => {

@@ -8,7 +8,7 @@ import { catalogCsv } from './csv.js';
 import { findEntry } from './select.js';
 
 /** @import {CatalogSurface} from '../../files/catalog.js' */
-/** @import {MakeSurface} from '../../worker/surface_client.js' */
+/** @import {MakeSurface} from '../../worker/surfaces.js' */
 /** @import {Action, Download, EntryId, State} from './types.js' */
 
 /** What is made of an entry's surface, and what its file's name ends with. @type {Record<Download, {what: Parameters<MakeSurface>[0]['what'], ending: string, type: string}>} */

@@ -6,9 +6,9 @@ import { entryName, formatCompareAddress } from '../../address/compare.js';
 import { withUnitArea } from './equal_area.js';
 import { entryOf } from './reduce.js';
 
-/** @import {Mesh} from '../../../wasm/types.js' */
 /** @import {EntryName} from '../../address/compare.js' */
-/** @import {CatalogCage, CatalogSurface} from '../../files/catalog.js' */
+/** @import {CatalogSurface} from '../../files/catalog.js' */
+/** @import {MakeSurface} from '../../worker/surfaces.js' */
 /** @import {Action, Shown, State} from './types.js' */
 
 /** Quads of all surfaces together, at most about: they are turned together. */
@@ -18,7 +18,7 @@ const QUADS = 160_000;
  * @param {object} surroundings
  * @param {(action: Action) => void} surroundings.dispatch
  * @param {(name: string) => Promise<CatalogSurface>} surroundings.loadSurface
- * @param {(command: {what: 'mesh', cage: CatalogCage, surface: CatalogSurface, quads: number}) => Promise<string | Mesh>} surroundings.makeSurface
+ * @param {MakeSurface} surroundings.makeSurface
  * @param {(search: string) => void} surroundings.setAddress
  * @returns {(after: State) => void}
  */
@@ -35,7 +35,7 @@ export function createEffects({ dispatch, loadSurface, makeSurface, setAddress }
     try {
       const surface = await loadSurface(entry.minimizer);
       const mesh = await makeSurface({ what: 'mesh', cage: surface.cage, surface, quads: QUADS / entries.length });
-      return typeof mesh === 'string' ? { problem: 'There is no picture of it.' } : withUnitArea(mesh);
+      return typeof mesh === 'string' ? { problem: '' } : withUnitArea(mesh);
     } catch (error) {
       return { problem: error instanceof Error ? error.message : String(error) };
     }

@@ -41,10 +41,10 @@ export function weightsOf(share) {
 
 const SHARE_STEPS = 250;
 /**
- * Shares at which the minimizing ratio is computed, denser near 0, where it changes most; the paper's are among them.
+ * Shares at which the minimizing ratio is computed, denser near both ends, where it changes most; the paper's are among them.
  */
 export const shares = [
-  ...Array.from({ length: SHARE_STEPS + 1 }, (_, i) => (i / SHARE_STEPS) ** 2),
+  ...Array.from({ length: SHARE_STEPS + 1 }, (_, i) => (1 - Math.cos((Math.PI * i) / SHARE_STEPS)) / 2),
   ...printed.map(({ weights }) => shareOf(weights)),
 ].sort((a, b) => a - b);
 

@@ -28,7 +28,7 @@ export function createChoiceView(root, dispatch) {
   function item(state, id) {
     const found = findEntry(state.catalog, id);
     if (!found) return [];
-    const name = `${shapeTitle(found.shape.name)}, ${columnWords(found.functional.weights).name}`;
+    const name = `${shapeTitle(found.shape.name)}, ${columnWords(found.functional).name}`;
     const remove = element(
       'button',
       { type: 'button', class: 'quiet', title: `${name}: remove`, 'aria-label': `Remove ${name}` },

@@ -10,8 +10,7 @@ import { compact, counted, significant, upperBound, whole, withError } from '../
 import { element, find, whenChanged } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
 import { findEntry } from '../select.js';
-import { capitalized, columnWords, shapeTitle, statusWords } from '../../../words/entries.js';
-import { commands, junctionWords } from '../words.js';
+import { capitalized, columnWords, commands, junctionWords, shapeTitle, statusWords } from '../../../words/entries.js';
 import { energyNodes, picture } from './cell.js';
 
 /** @import {CatalogEntry, CatalogShape} from '../../../files/catalog.js' */
@@ -140,7 +139,7 @@ export function createDetailsView(dialog, dispatch) {
   /** @param {Found} found */
   function fill({ entry, shape, functional }) {
     const id = entryName(entry);
-    const column = columnWords(functional.weights);
+    const column = columnWords(functional);
     const title = element('h2', { id: 'details-title' }, shapeTitle(shape.name));
     const about = element('p', { class: 'muted' }, `${column.name}: ${column.formula}`);
     const energy = element('p', { class: 'energy' }, ...energyNodes(entry));

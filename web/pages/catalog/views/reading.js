@@ -4,8 +4,7 @@
  */
 import { statuses } from '../../../address/catalog.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
-import { capitalized, columnWords, statusWords } from '../../../words/entries.js';
-import { citation } from '../words.js';
+import { capitalized, citation, columnWords, statusWords } from '../../../words/entries.js';
 
 /** @import {Catalog} from '../../../files/catalog.js' */
 /** @import {State} from '../types.js' */
@@ -23,7 +22,7 @@ export function createReadingView(root) {
   const fill = whenChanged((/** @type {Catalog} */ catalog) => {
     columns.replaceChildren(
       ...catalog.functionals.flatMap((functional) => {
-        const { name, formula, taste } = columnWords(functional.weights);
+        const { name, formula, taste } = columnWords(functional);
         return [
           element('dt', {}, name),
           element('dd', {}, element('span', { class: 'formula' }, formula), ` ${taste}`),

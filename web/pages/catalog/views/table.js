@@ -6,8 +6,7 @@ import { counted } from '../../../words/numbers.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
 import { allRows, groupOf, visibleRows } from '../select.js';
-import { columnWords, shapeTitle } from '../../../words/entries.js';
-import { junctionWords } from '../words.js';
+import { columnWords, junctionWords, shapeTitle } from '../../../words/entries.js';
 import { createCell, emptyCell } from './cell.js';
 
 /** @import {Catalog} from '../../../files/catalog.js' */
@@ -38,7 +37,7 @@ function createRow(row, { functionals }, dispatch) {
   ];
   const name = element('th', { scope: 'row' }, element('strong', {}, title), ...facts);
   const cells = entries.map(
-    (entry, i) => entry && createCell(entry, `${title}, ${columnWords(functionals[i].weights).name}`, dispatch),
+    (entry, i) => entry && createCell(entry, `${title}, ${columnWords(functionals[i]).name}`, dispatch),
   );
   return {
     name: shape.name,
@@ -78,7 +77,7 @@ export function createTableView(root, dispatch) {
       head('shape', 'Shape', undefined, { class: 'shape' }),
       head('genus', 'Genus', undefined, { class: 'genus' }),
       ...catalog.functionals.map((functional) => {
-        const { name, formula } = columnWords(functional.weights);
+        const { name, formula } = columnWords(functional);
         return head(functional.name, name, formula);
       }),
     );

@@ -32,6 +32,7 @@ export function createPanesView(root, dispatch) {
   const rested = (camera) => dispatch({ type: 'cameraMoved', camera });
   const scene = speed === 'never' ? null : createPanes(canvas, { calm, slow: speed === 'slow', rested });
   canvas.hidden = !scene;
+  root.classList.toggle('pictures', !scene);
   listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal);
   const panes = Array.from({ length: MOST }, (_, index) => createPane(index, dispatch, !scene));
   root.prepend(...panes.map((pane) => pane.figure));
@@ -108,7 +109,7 @@ function createPane(index, dispatch, pictures) {
   const fill = whenChanged((/** @type {Catalog} */ { shapes, functionals }) => {
     shape.replaceChildren(...shapes.map(({ name }) => element('option', { value: name }, shapeTitle(name))));
     functional.replaceChildren(
-      ...functionals.map(({ name, weights }) => element('option', { value: name }, columnWords(weights).name)),
+      ...functionals.map((column) => element('option', { value: column.name }, columnWords(column).name)),
     );
   });
   const showPicture = whenChanged((/** @type {string} */ name) => {

@@ -20,12 +20,12 @@ export function createTableView(root) {
     if (!catalog) return root.replaceChildren();
     const entries = names.map((name) => entryOf(catalog, name));
     const heads = names.map((name) => {
-      const weights = catalog.functionals.find((column) => column.name === name.functional)?.weights;
+      const column = catalog.functionals.find((one) => one.name === name.functional);
       return element(
         'th',
         { scope: 'col' },
         shapeTitle(name.shape),
-        element('span', {}, weights ? columnWords(weights).name : name.functional),
+        element('span', {}, column ? columnWords(column).name : name.functional),
       );
     });
     const known = element(

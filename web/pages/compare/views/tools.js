@@ -20,7 +20,7 @@ export function createToolsView(root, dispatch, draws) {
   onPress(add, () => dispatch({ type: 'entryAdded' }), signal);
   onPress(fit, () => dispatch({ type: 'fitPressed' }), signal);
   find(root, '.no-webgl').hidden = draws;
-  find(root, '#legend').hidden = !draws;
+  for (const id of ['legend', 'common']) find(root, `#${id}`).hidden = !draws;
   fit.hidden = !draws;
 
   return {

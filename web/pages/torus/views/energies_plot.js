@@ -79,7 +79,7 @@ function thinMarks({ names }, { alone }, up, box) {
     const y = box.y + (1 - up.position(alone[id].energy)) * box.height;
     return [
       svg('line', { class: 'mark', x1: box.x, x2: box.x + box.width / 2, y1: y, y2: y }),
-      svg('text', { x: box.x + 6, y: y - 6, class: 'tick' }, `${words} as a → 0`),
+      svg('text', { x: box.x + box.width / 2, y: y + 13, class: 'tick end' }, `${words} as a → 0`),
     ];
   });
 }

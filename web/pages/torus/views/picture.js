@@ -46,13 +46,14 @@ export function createPictureView(root, dispatch) {
   canvas.hidden = !scene;
   instead.hidden = Boolean(scene);
   find(root, '#legend').hidden = !scene;
+  find(root, '#fit').hidden = !scene;
   const fitPressed = () => dispatch({ type: 'fitPressed' });
   listenToKeys(canvas, scene?.controls, fitPressed, listening.signal);
   find(root, '#fit').addEventListener('click', fitPressed, { signal: listening.signal });
   const legend = createLegendView(
     find(root, '#legend'),
     (/** @type {Shading} */ shading) => dispatch({ type: 'shadingChosen', shading }),
-    () => 'where a sphere of the same area has 1',
+    () => '1 on a sphere of equal area',
   );
   scene?.setUp('z');
 

@@ -34,7 +34,7 @@ function paperMarks(path, place) {
     return [
       svg('circle', { class: 'exact', cx: x, cy: exactY, r: 3 }),
       svg('path', { class: 'printed', d: diamond(x, y, 4.5) }),
-      svg('text', { x: x + 10, y: Math.min(y, exactY) - 6, class: 'tick' }, `${significant(exact, 4)}, paper ${ratio}`),
+      svg('text', { x: x + 10, y: Math.min(y, exactY) - 9, class: 'tick' }, `${significant(exact, 4)}, paper ${ratio}`),
     ];
   });
 }
