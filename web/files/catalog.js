@@ -50,7 +50,9 @@
  * @property {number} faces of its control mesh
  */
 
-/** @typedef {{version: string, functionals: CatalogFunctional[], shapes: CatalogShape[], entries: CatalogEntry[]}} Catalog */
+/** The same minimizer from a cage of another thickness. @typedef {{shape: string, functional: string, thickness: number, energy: number, level: number}} CatalogStart */
+
+/** @typedef {{version: string, functionals: CatalogFunctional[], shapes: CatalogShape[], entries: CatalogEntry[], starts: CatalogStart[]}} Catalog */
 
 /**
  * A surface: the control points of the first vertex of each orbit under `group`, x, y, z each, of the mesh `level` steps from the cage.

@@ -13,7 +13,7 @@ import { findEntry } from '../select.js';
 import { capitalized, columnWords, commands, junctionWords, shapeTitle, statusWords } from '../../../words/entries.js';
 import { energyNodes, picture } from './cell.js';
 
-/** @import {CatalogEntry, CatalogShape} from '../../../files/catalog.js' */
+/** @import {CatalogEntry, CatalogStart} from '../../../files/catalog.js' */
 /** @import {Action, Download, EntryId, State} from '../types.js' */
 
 /** @typedef {NonNullable<ReturnType<typeof findEntry>>} Found */
@@ -39,8 +39,8 @@ const sentence = (words) => capitalized(words).replace(/\.?$/, '.');
 /** @param {string} term @param {...(Node | string)} value */
 const fact = (term, ...value) => element('div', {}, element('dt', {}, term), element('dd', {}, ...value));
 
-/** @param {CatalogEntry} entry @param {CatalogShape} shape @returns {HTMLElement[]} */
-function facts(entry, shape) {
+/** @param {Found} found @param {CatalogStart[]} starts of the catalog @returns {HTMLElement[]} */
+function facts({ entry, shape }, starts) {
   const { group, certificate, second_family: second, extrapolated, paper, exact, energy, settings } = entry;
   const list = [fact('Genus', String(shape.genus))];
   if (junctionWords(shape)) list.push(fact('Frame', junctionWords(shape)));
@@ -59,6 +59,11 @@ function facts(entry, shape) {
     const bound = second.error === null ? `≤ ${upperBound(second.energy)}` : `${value} ± ${error}`;
     const verdict = second.agrees === null ? '' : second.agrees ? ', agrees' : ', does not agree';
     list.push(fact(`From ${second.family} cages`, bound + verdict));
+  }
+  const same = starts.filter((start) => entryName(start) === entryName(entry));
+  if (same.length) {
+    const energies = same.map((start) => `${compact(start.thickness)} × as thick: ${significant(start.energy)}`);
+    list.push(fact('From other cages', energies.join('; ')));
   }
   if (certificate) {
     const { negative, level } = certificate;
@@ -136,8 +141,9 @@ export function createDetailsView(dialog, dispatch) {
   let choose = element('input', { type: 'checkbox' });
   const problem = element('p', { class: 'problem', role: 'alert' });
 
-  /** @param {Found} found */
-  function fill({ entry, shape, functional }) {
+  /** @param {Found} found @param {CatalogStart[]} starts */
+  function fill(found, starts) {
+    const { entry, shape, functional } = found;
     const id = entryName(entry);
     const column = columnWords(functional);
     const title = element('h2', { id: 'details-title' }, shapeTitle(shape.name));
@@ -172,7 +178,7 @@ export function createDetailsView(dialog, dispatch) {
         picture(entry, '', 'eager'),
         element('div', {}, title, about, energy, known, element('div', { class: 'row' }, ...actions)),
       ),
-      element('dl', { class: 'facts' }, ...facts(entry, shape)),
+      element('dl', { class: 'facts' }, ...facts(found, starts)),
       element(
         'div',
         { class: 'tables' },
@@ -193,7 +199,7 @@ export function createDetailsView(dialog, dispatch) {
   const show = whenChanged((/** @type {State['catalog']} */ catalog, /** @type {EntryId} */ id) => {
     const found = findEntry(catalog, id);
     if (found) {
-      fill(found);
+      fill(found, catalog?.starts ?? []);
       if (!dialog.open) dialog.showModal();
     } else if (dialog.open) {
       dialog.close();
