@@ -5,24 +5,16 @@
  */
 import { MOST, entryName } from '../../../address/compare.js';
 import { studioLink } from '../../../address/links.js';
-import { functionals } from '../../../words/functionals.js';
-import { compact, counted, significant, upperBound, whole, withError } from '../../../words/numbers.js';
 import { element, find, whenChanged } from '../../../views/dom.js';
-import { groupSymbol } from '../../../views/group.js';
 import { findEntry } from '../select.js';
-import { capitalized, columnWords, commands, junctionWords, shapeTitle, statusWords } from '../../../words/entries.js';
+import { capitalized, columnWords, commands, shapeTitle, statusWords } from '../../../words/entries.js';
 import { energyNodes, picture } from './cell.js';
+import { energyTable, facts, levelTable } from './known.js';
 
-/** @import {CatalogEntry, CatalogStart} from '../../../files/catalog.js' */
+/** @import {CatalogStart} from '../../../files/catalog.js' */
 /** @import {Action, Download, EntryId, State} from '../types.js' */
 
-/** @typedef {NonNullable<ReturnType<typeof findEntry>>} Found */
-
-/** Below this, an integral is round-off. */
-const ROUND_OFF = 1e-9;
-/** Digits of a level's energy, and of what mathematics has. */
-const LEVEL_DIGITS = 8;
-const EXACT_DIGITS = 9;
+/** @import {Found} from './known.js' */
 
 /** @type {Array<{what: Download, name: string, title: string}>} */
 const downloads = [
@@ -33,98 +25,8 @@ const downloads = [
   { what: 'glb', name: 'GLB', title: 'The limit surface as a glTF model' },
 ];
 
-/** @param {string} words */
-const sentence = (words) => capitalized(words).replace(/\.?$/, '.');
-
-/** @param {string} term @param {...(Node | string)} value */
-const fact = (term, ...value) => element('div', {}, element('dt', {}, term), element('dd', {}, ...value));
-
-/** @param {Found} found @param {CatalogStart[]} starts of the catalog @returns {HTMLElement[]} */
-function facts({ entry, shape }, starts) {
-  const { group, certificate, second_family: second, extrapolated, paper, exact, energy, settings } = entry;
-  const list = [fact('Genus', String(shape.genus))];
-  if (junctionWords(shape)) list.push(fact('Frame', junctionWords(shape)));
-  if (group) list.push(fact('Symmetry', ...groupSymbol(group.name), `, order ${group.order}`));
-  if (extrapolated?.order) list.push(fact('Observed order', compact(extrapolated.order, 2)));
-  if (paper !== null) {
-    const ratio = energy === null ? '' : `, ratio ${compact(energy / paper)}`;
-    list.push(fact('The paper', `${whole(paper)}${ratio}`));
-  }
-  if (exact !== null) {
-    const source = entry.exact_source ? `, ${entry.exact_source}` : '';
-    list.push(fact('Exact', `${compact(exact, EXACT_DIGITS)}${source}`));
-  }
-  if (second && second.energy !== null) {
-    const { value, error } = withError(second.energy, second.error ?? NaN, 2);
-    const bound = second.error === null ? `≤ ${upperBound(second.energy)}` : `${value} ± ${error}`;
-    const verdict = second.agrees === null ? '' : second.agrees ? ', agrees' : ', does not agree';
-    list.push(fact(`From ${second.family} cages`, bound + verdict));
-  }
-  const same = starts.filter((start) => entryName(start) === entryName(entry));
-  if (same.length) {
-    const energies = same.map((start) => `${compact(start.thickness)} × as thick: ${significant(start.energy)}`);
-    list.push(fact('From other cages', energies.join('; ')));
-  }
-  if (certificate) {
-    const { negative, level } = certificate;
-    const words = negative
-      ? `${counted(negative, 'direction lowers', 'directions lower')} the energy, level ${level}`
-      : `a local minimum among all surfaces near it, level ${level}`;
-    list.push(fact('Certificate', words));
-  }
-  if (settings)
-    list.push(
-      fact(
-        'Settings',
-        `cap ${settings.cap}, levels ${settings.levels.join('–')}, tolerance ${compact(settings.tolerance)}`,
-      ),
-    );
-  return list;
-}
-
-/** @param {CatalogEntry} entry @param {Found['functional']} functional */
-function energyTable({ energies, quadrature_error }, { weights }) {
-  const rows = functionals.map(({ id, name, formula }) => {
-    const value = energies[id];
-    const objective = id in weights;
-    const text = value === null ? 'diverges' : significant(Math.abs(value) < ROUND_OFF ? 0 : value, LEVEL_DIGITS);
-    return element(
-      'tr',
-      objective ? { class: 'objective' } : {},
-      element('th', { scope: 'row', title: formula }, name),
-      element('td', {}, text),
-    );
-  });
-  if (energies.gaussian !== null) {
-    const value = energies.gaussian / (4 * Math.PI);
-    const text = significant(Math.abs(value) < 1e-6 ? 0 : value);
-    rows.push(element('tr', {}, element('th', { scope: 'row' }, '∫ K dA / 4π'), element('td', {}, text)));
-  }
-  const table = element('table', { class: 'energies' }, element('tbody', {}, ...rows));
-  const error = quadrature_error === null ? '' : ` Quadrature error ${compact(quadrature_error, 2)}.`;
-  return [table, element('p', { class: 'note' }, `By a finer rule than the one that was minimized.${error}`)];
-}
-
-/** @param {CatalogEntry} entry */
-function levelTable({ levels }) {
-  const heads = ['Level', 'Patches', 'Unknowns', 'Energy'].map((name) => element('th', { scope: 'col' }, name));
-  const rows = levels.map(({ level, patches, unknowns, energy_reported }) =>
-    element(
-      'tr',
-      {},
-      element('td', {}, String(level)),
-      element('td', {}, whole(patches)),
-      element('td', {}, whole(unknowns)),
-      element('td', {}, energy_reported === null ? 'diverges' : significant(energy_reported, LEVEL_DIGITS)),
-    ),
-  );
-  return element(
-    'table',
-    { class: 'levels' },
-    element('thead', {}, element('tr', {}, ...heads)),
-    element('tbody', {}, ...rows),
-  );
-}
+/** The catalog's reasons are in plain ASCII. @param {string} words */
+const sentence = (words) => capitalized(words).replace(/-(?=\d)/g, '−').replace(/\.?$/, '.');
 
 /**
  * @param {HTMLDialogElement} dialog
