@@ -17,6 +17,24 @@ const EXACT_DIGITS = 7;
 /** @param {string} words */
 export const capitalized = (words) => words[0].toUpperCase() + words.slice(1);
 
+const SUBSCRIPTS = '₀₁₂₃₄₅₆₇₈₉';
+const SUPERSCRIPTS = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+
+/**
+ * The catalog's sentences are in ASCII; on the page xi_{2,1} is ξ₂,₁, 8 pi^2 is 8π², and -11 % has a true minus.
+ * @param {string} text
+ */
+export function typeset(text) {
+  /** @param {string} number @param {string} digits */
+  const set = (number, digits) => number.replace(/\d/g, (digit) => digits[Number(digit)]);
+  return text
+    .replace(/\bxi_\{(\d+),(\d+)\}/g, (_, k, m) => `ξ${set(k, SUBSCRIPTS)},${set(m, SUBSCRIPTS)}`)
+    .replace(/(\d) pi\b/g, '$1π')
+    .replace(/\^(\d+)/g, (_, power) => set(power, SUPERSCRIPTS))
+    .replace(/(^|\s)-(?=\d)/g, '$1−')
+    .replaceAll("'", '’');
+}
+
 /** @param {string} name of a shape */
 export function shapeTitle(name) {
   return name === 'sphere' ? 'Sphere' : cageWords(name).title;

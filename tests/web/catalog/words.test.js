@@ -11,6 +11,7 @@ import {
   energyWords,
   junctionWords,
   shapeTitle,
+  typeset,
 } from '../../../web/words/entries.js';
 import { upperBound } from '../../../web/words/numbers.js';
 import { catalog, entry } from './small.js';
@@ -56,6 +57,17 @@ describe('an energy', () => {
     expect(besideWords(catalog.entries[0])).toEqual(['paper 113', 'exact 112.7668']);
     expect(besideWords(entry('two-12', 'mvs', { paper: 75720 }))).toEqual(['paper 75\u202f720']);
     expect(besideWords(entry('torus', 'mvs', { status: 'zero_attained', energy: 0, exact: 0 }))).toEqual([]);
+  });
+
+  test.each([
+    ["Lawson's xi_{2,1}", 'Lawson’s ξ₂,₁'],
+    ["Lawson's xi_{11,1}, in 1/(g+1) to third order", 'Lawson’s ξ₁₁,₁, in 1/(g+1) to third order'],
+    ['the Clifford torus: 8 pi^2', 'the Clifford torus: 8π²'],
+    ['the energy changes by -24 % from level 1 to 2', 'the energy changes by −24 % from level 1 to 2'],
+    ['least over tori of revolution, at r/R = 0.241309', 'least over tori of revolution, at r/R = 0.241309'],
+    ['the second-order term', 'the second-order term'],
+  ])('has its reason and source in words, where %p is set %p', (text, expected) => {
+    expect(typeset(text)).toBe(expected);
   });
 
   test('comes from commands that name the cage, the functional and the levels', () => {

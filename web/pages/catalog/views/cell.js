@@ -50,7 +50,7 @@ export function createCell(entry, words, dispatch) {
   const beside = besideWords(entry).map((part) => element('span', {}, part));
   const content = element('div', { class: `entry ${entry.status}` }, open, ...known);
   if (beside.length) content.append(element('p', { class: 'beside' }, ...beside));
-  const label = element('label', { class: 'choose', title: 'Compare' }, choose);
+  const label = element('label', { class: 'choose', title: 'Compare' }, choose, element('span', {}, 'Compare'));
   content.append(element('div', { class: 'tools' }, ...(entry.minimizer ? [label] : []), more));
 
   return {

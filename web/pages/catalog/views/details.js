@@ -7,7 +7,7 @@ import { MOST, entryName } from '../../../address/compare.js';
 import { studioLink } from '../../../address/links.js';
 import { element, find, whenChanged } from '../../../views/dom.js';
 import { findEntry } from '../select.js';
-import { capitalized, columnWords, commands, shapeTitle, statusWords } from '../../../words/entries.js';
+import { capitalized, columnWords, commands, shapeTitle, statusWords, typeset } from '../../../words/entries.js';
 import { energyNodes, picture } from './cell.js';
 import { energyTable, facts, levelTable } from './known.js';
 
@@ -25,8 +25,8 @@ const downloads = [
   { what: 'glb', name: 'GLB', title: 'The limit surface as a glTF model' },
 ];
 
-/** The catalog's reasons are in plain ASCII. @param {string} words */
-const sentence = (words) => capitalized(words).replace(/-(?=\d)/g, '−').replace(/\.?$/, '.');
+/** @param {string} words */
+const sentence = (words) => capitalized(typeset(words)).replace(/\.?$/, '.');
 
 /**
  * @param {HTMLDialogElement} dialog

@@ -5,7 +5,7 @@
 import { entryName } from '../../../address/compare.js';
 import { element } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
-import { columnWords, junctionWords } from '../../../words/entries.js';
+import { columnWords, junctionWords, typeset } from '../../../words/entries.js';
 import { functionals } from '../../../words/functionals.js';
 import { compact, counted, significant, upperBound, whole, withError } from '../../../words/numbers.js';
 
@@ -38,7 +38,7 @@ export function facts({ entry, shape }, starts) {
     list.push(fact('The paper', `${whole(paper)}${ratio}`));
   }
   if (exact !== null) {
-    const source = entry.exact_source ? `, ${entry.exact_source}` : '';
+    const source = entry.exact_source ? `, ${typeset(entry.exact_source)}` : '';
     list.push(fact('Exact', `${compact(exact, EXACT_DIGITS)}${source}`));
   }
   if (second && second.energy !== null) {
@@ -49,8 +49,9 @@ export function facts({ entry, shape }, starts) {
   }
   const same = starts.filter((start) => entryName(start) === entryName(entry));
   if (same.length) {
-    const energies = same.map((start) => `${compact(start.thickness)} × as thick: ${significant(start.energy)}`);
-    list.push(fact('From other cages', energies.join('; ')));
+    const thicknesses = same.map(({ thickness }) => compact(thickness)).join(', ');
+    const energies = same.map((start) => significant(start.energy)).join(', ');
+    list.push(fact(`From thickness ${thicknesses}`, `${energies}, level ${same[0].level}`));
   }
   if (certificate) {
     const { negative, level } = certificate;
