@@ -3,10 +3,10 @@
  * @file The catalog's entry, which is also the home page: one state, and the views that show it. What draws and computes is loaded only
  * when a download needs it.
  */
+import { parseCatalogAddress } from './address/catalog.js';
 import { loadCatalog, loadSurface } from './files/catalog.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
-import { parsePlace } from './pages/catalog/address.js';
 import { createEffects } from './pages/catalog/effects.js';
 import { initialState, reduce } from './pages/catalog/reduce.js';
 import { createChoiceView } from './pages/catalog/views/choice.js';
@@ -15,6 +15,7 @@ import { createFiltersView } from './pages/catalog/views/filters.js';
 import { createReadingView } from './pages/catalog/views/reading.js';
 import { createTableView } from './pages/catalog/views/table.js';
 import { find } from './views/dom.js';
+import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
 import { createRequests } from './worker/requests.js';
 
@@ -26,13 +27,13 @@ const effects = createEffects({
   loadSurface,
   loadFormats: () => import('./files/mesh_formats.js'),
   save: saveFile,
-  setQuery(query, how) {
-    const address = `${location.pathname}${query}`;
+  setAddress(search, how) {
+    const address = location.pathname + search;
     if (how === 'push') history.pushState(null, '', address);
     else history.replaceState(null, '', address);
   },
 });
-let state = initialState(parsePlace(location.search), storedTheme());
+let state = initialState(parseCatalogAddress(location.search), storedTheme());
 
 /** @param {Action} action */
 function dispatch(action) {
@@ -47,6 +48,7 @@ function dispatch(action) {
 const byId = (id) => find(document, `#${id}`);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
 const views = [
+  createNoticesView(byId('notices'), () => dispatch({ type: 'noticesDismissed' })),
   createFiltersView(byId('filters'), dispatch),
   createTableView(byId('table'), dispatch),
   createChoiceView(byId('choice'), dispatch),
@@ -59,7 +61,7 @@ function show() {
   for (const view of views) view.update(state);
 }
 
-addEventListener('popstate', () => dispatch({ type: 'addressFollowed', place: parsePlace(location.search) }));
+addEventListener('popstate', () => dispatch({ type: 'addressFollowed', ...parseCatalogAddress(location.search) }));
 show();
 loadCatalog().then(
   (catalog) => dispatch({ type: 'catalogLoaded', catalog }),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The layers of the JavaScript: one file touches WebAssembly memory, the worker alone imports it, and views know neither. Every check
- * returns the problems that it finds, one line each.
+ * @file The layers of the JavaScript: one file touches WebAssembly memory, the worker alone imports it, views know neither, pages know nothing
+ * of each other, and the home page loads neither what computes nor what draws. Every check returns the problems that it finds, one line each.
  */
 import path from 'node:path';
 import { parseAst } from 'vite';
@@ -89,9 +89,46 @@ export function wasmImports(files) {
  * @returns {string[]}
  */
 export function viewImports(files) {
-  return matching(files, /^web\/views\/.*\.m?js$/).flatMap(([file, text]) =>
+  return matching(files, /^web\/(pages\/\w+\/)?views\/.*\.m?js$/).flatMap(([file, text]) =>
     imports(file, text)
       .filter((name) => /^(web\/worker|wasm|build)\//.test(name))
       .map((name) => `${file} imports ${name}`),
   );
+}
+
+/**
+ * What belongs to a page is imported by that page and by its entry beside the HTML files only.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function pageImports(files) {
+  /** @param {string} name */
+  const pageOf = (name) => /^web\/pages\/(\w+)\//.exec(name)?.[1];
+  return matching(files, /^web\/\w+\/.*\.m?js$/).flatMap(([file, text]) =>
+    imports(file, text)
+      .filter((name) => pageOf(name) !== undefined && pageOf(name) !== pageOf(file))
+      .map((name) => `${file} imports ${name}`),
+  );
+}
+
+const home = 'web/index.js';
+
+/**
+ * The home page loads neither three.js nor the module before they are asked for: no chain of static imports leads to them.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function homeImports(files) {
+  /** @type {Map<string, string>} each file that is loaded, and what imports it */
+  const loaded = new Map([[home, '']]);
+  for (const file of loaded.keys()) {
+    walk(parseAst(files.get(file) ?? ''), ({ type, source }) => {
+      if (!/^(Import|Export(Named|All))Declaration$/.test(type) || !source) return;
+      const relative = source.value.startsWith('.');
+      const name = relative ? path.posix.join(path.posix.dirname(file), source.value) : source.value;
+      if (!loaded.has(name)) loaded.set(name, file);
+    });
+  }
+  const heavy = /^(three\b|web\/scene\/|web\/worker\/(?!requests\.js)|wasm\/|build\/)/;
+  return [...loaded].filter(([name]) => heavy.test(name)).map(([name, file]) => `${file} imports ${name}`);
 }

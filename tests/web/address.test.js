@@ -6,6 +6,7 @@ import { describe, expect, test } from '@jest/globals';
 import { firstCamera, roundCamera, sameCamera } from '../../web/address/camera.js';
 import { formatCatalogAddress, parseCatalogAddress } from '../../web/address/catalog.js';
 import { entryName, formatCompareAddress, parseCompareAddress } from '../../web/address/compare.js';
+import { compareLink, studioLink } from '../../web/address/links.js';
 import { formatStudioAddress, parseStudioAddress } from '../../web/address/studio.js';
 import { formatTorusAddress, parseTorusAddress } from '../../web/address/torus.js';
 
@@ -33,6 +34,7 @@ describe('an address that was written is read back and written again to the lett
     ['torus', '?weights=bending:1,mvs_cross:1e-7'],
     ['catalog', ''],
     ['catalog', '?sort=mvs_cross&direction=desc&genus=3&search=two%20junctions%20%26%20more%2B'],
+    ['catalog', '?genus=0&arms=12&group=D12h&status=upper_bound&entry=two-12.mvs_cross'],
   ])('%s%s', (page, search) => {
     const { parse, format } = pages[page];
     const { address, notices } = parse(search);
@@ -79,6 +81,10 @@ describe('a value that means nothing falls back, and one sentence quotes it and 
     ['torus', 'weights=bending:-1,mvs:1', {}],
     ['catalog', 'genus=-1', { genus: null }],
     ['catalog', 'direction=up', { direction: 'asc' }],
+    ['catalog', 'arms=1e3', { arms: null }],
+    ['catalog', 'group=<b>', { group: '' }],
+    ['catalog', 'status=fine', { status: '' }],
+    ['catalog', 'entry=two-3', { entry: '' }],
   ])('%s?%s', (page, search, expected) => {
     const { parse, format } = pages[page];
     const { address, notices } = parse(`?${search}`);
@@ -99,6 +105,14 @@ describe('a value that means nothing falls back, and one sentence quotes it and 
   test('parameters that are not of the page change nothing', () => {
     expect(parseStudioAddress('?from=mail&shape=two-4')).toEqual(parseStudioAddress('?shape=two-4'));
   });
+});
+
+test('the links of the catalog are addresses of the studio and of the comparison', () => {
+  const entry = { shape: 'two-3', functional: 'mvs_cross' };
+  expect(studioLink(entry)).toBe('./studio.html?shape=two-3&functional=mvs_cross');
+  expect(compareLink([entry, { shape: 'torus', functional: 'mvs' }])).toBe(
+    './compare.html?entries=two-3.mvs_cross,torus.mvs',
+  );
 });
 
 describe('a camera', () => {

@@ -71,6 +71,7 @@ export function catalog() {
       { name: 'two-3', genus: 2, junctions: 2, arms: 3, cage: { generator: 'two-3', family: 'flag', thickness: 1 } },
       { name: 'sphere', genus: 0, junctions: 0, arms: 0, cage: { generator: 'cube', family: 'flag', thickness: 1 } },
     ],
+    starts: [],
     entries: [
       entry('two-3', 'bending'),
       entry('two-3', 'mvs', {

@@ -24,6 +24,8 @@
 
 /** @typedef {Omit<LevelReport, 'energyReported' | 'seconds'> & {energy_reported: number | null}} EntryLevel */
 
+/** `agrees`: null where one of the two has no error bar. @typedef {{family: string, energy: number | null, error: number | null, agrees: boolean | null, levels: EntryLevel[]}} SecondFamily */
+
 /**
  * @typedef {object} CatalogEntry
  * @property {string} shape
@@ -42,13 +44,15 @@
  * @property {EntryLevel[]} levels
  * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null}} extrapolated
  * @property {CertificateReport | null} certificate
- * @property {{family: string, energy: number | null, error: number | null, levels: [number, number], agrees: boolean} | null} second_family
+ * @property {SecondFamily | null} second_family the same from other cages
  * @property {string | null} minimizer the file of its surface, beside the catalog
  * @property {number} level of that surface, in Catmull-Clark steps from the cage
  * @property {number} faces of its control mesh
  */
 
-/** @typedef {{version: string, functionals: CatalogFunctional[], shapes: CatalogShape[], entries: CatalogEntry[]}} Catalog */
+/** The same minimizer from a cage of another thickness. @typedef {{shape: string, functional: string, thickness: number, energy: number, level: number}} CatalogStart */
+
+/** @typedef {{version: string, functionals: CatalogFunctional[], shapes: CatalogShape[], entries: CatalogEntry[], starts: CatalogStart[]}} Catalog */
 
 /**
  * A surface: the control points of the first vertex of each orbit under `group`, x, y, z each, of the mesh `level` steps from the cage.

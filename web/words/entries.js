@@ -88,10 +88,12 @@ export function energyWords({ status, energy, error }) {
 }
 
 /** What others have for an entry: the paper's table and mathematics. @param {CatalogEntry} entry @returns {string[]} */
-export function besideWords({ paper, exact }) {
+export function besideWords({ status, paper, exact }) {
   const words = [];
   if (paper !== null) words.push(`paper ${whole(paper)}`);
-  if (exact !== null && exact !== 0) words.push(`exact ${compact(exact, EXACT_DIGITS)}`);
+  // A known infimum is what mathematics has.
+  const computed = status === 'converged' || status === 'upper_bound';
+  if (computed && exact !== null) words.push(`exact ${compact(exact, EXACT_DIGITS)}`);
   return words;
 }
 
@@ -106,10 +108,12 @@ export function commands({ name, cage }, { weights }, { settings }) {
   const thickness = cage.thickness === 1 ? '' : ` --thickness ${cage.thickness}`;
   const sum = Object.entries(weights).map(([id, weight]) => `${id}=${weight}`);
   const objective = sum.length > 1 ? `--weights ${sum.join(',')}` : `--functional ${Object.keys(weights)[0]}`;
+  const tolerance = settings.tolerance === 1e-6 ? '' : ` --tolerance ${settings.tolerance}`;
+  const iterations = settings.max_iterations === 1000 ? '' : ` --max-iterations ${settings.max_iterations}`;
   const file = `${name}.obj`;
   return [
     `umbilic cage ${cage.generator}${family}${thickness} -o ${file}`,
-    `umbilic optimize ${file} ${objective} --levels ${settings.levels.join('..')}`,
+    `umbilic optimize ${file} ${objective} --levels ${settings.levels.join('..')}${tolerance}${iterations}`,
   ].join('\n');
 }
 

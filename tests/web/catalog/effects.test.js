@@ -3,7 +3,7 @@
  * @file What the catalog's actions cause: addresses, files to save, and what happens when a surface cannot be made.
  */
 import { describe, expect, test } from '@jest/globals';
-import { firstPlace } from '../../../web/pages/catalog/address.js';
+import { parseCatalogAddress } from '../../../web/address/catalog.js';
 import { createEffects } from '../../../web/pages/catalog/effects.js';
 import { initialState, reduce } from '../../../web/pages/catalog/reduce.js';
 import { createRequests } from '../../../web/worker/requests.js';
@@ -15,10 +15,10 @@ import { catalog } from './small.js';
 function page({ failure = '' } = {}) {
   const log = {
     saved: /** @type {Array<[string, string | ArrayBuffer]>} */ ([]),
-    queries: /** @type {string[]} */ ([]),
+    addresses: /** @type {string[]} */ ([]),
     asked: /** @type {any[]} */ ([]),
   };
-  let state = /** @type {State} */ ({ ...initialState(firstPlace(), 'system'), catalog });
+  let state = /** @type {State} */ ({ ...initialState(parseCatalogAddress(''), 'system'), catalog });
   /** @type {() => void} */
   let settle = () => {};
   const surface = /** @type {any} */ ({ shape: 'two-3', cage: catalog.shapes[0].cage, level: 3, points: [1, 2, 3] });
@@ -33,7 +33,7 @@ function page({ failure = '' } = {}) {
     loadFormats: async () =>
       /** @type {any} */ ({ stl: () => new ArrayBuffer(1), glb: async () => new ArrayBuffer(2) }),
     save: (name, content) => log.saved.push([name, content]),
-    setQuery: (query, how) => log.queries.push(`${how} ${query}`),
+    setAddress: (search, how) => log.addresses.push(`${how} ${search}`),
   });
   /** @param {Action} action */
   function dispatch(action) {
@@ -59,7 +59,7 @@ describe('the address', () => {
     dispatch({ type: 'filterChanged', change: { genus: 3 } });
     dispatch({ type: 'entryOpened', entry: 'torus.mvs' });
     dispatch({ type: 'entryChosen', entry: 'torus.mvs', chosen: true });
-    expect(log.queries).toEqual([
+    expect(log.addresses).toEqual([
       'replace ?sort=genus',
       'replace ?sort=genus&genus=3',
       'push ?sort=genus&genus=3&entry=torus.mvs',
@@ -68,8 +68,8 @@ describe('the address', () => {
 
   test('is not written when it is what has been followed', () => {
     const { log, dispatch } = page();
-    dispatch({ type: 'addressFollowed', place: { ...firstPlace(), entry: 'torus.mvs' } });
-    expect(log.queries).toEqual([]);
+    dispatch({ type: 'addressFollowed', ...parseCatalogAddress('?entry=torus.mvs') });
+    expect(log.addresses).toEqual([]);
   });
 });
 

@@ -60,6 +60,7 @@ export const catalog = {
     { name: 'octahedron-frame', genus: 7, junctions: 6, arms: 4, cage: { generator: 'octahedron-frame', ...cage } },
     { name: 'torus', genus: 1, junctions: 0, arms: 0, cage: { generator: 'torus', ...cage } },
   ],
+  starts: [{ shape: 'two-3', functional: 'bending', thickness: 0.5, energy: 112.7675, level: 3 }],
   entries: [
     entry('two-3', 'bending', { paper: 113, exact: 112.766848, exact_source: 'Lawson ξ₂,₁, "W = 21.9085"' }),
     entry('two-3', 'mvs', { status: 'upper_bound', energy: 263.41, error: null, paper: 343 }),

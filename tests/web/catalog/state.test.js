@@ -3,7 +3,7 @@
  * @file The catalog's state: what orders and filters show, what can be chosen, and what is told of downloads.
  */
 import { describe, expect, test } from '@jest/globals';
-import { firstPlace } from '../../../web/pages/catalog/address.js';
+import { parseCatalogAddress } from '../../../web/address/catalog.js';
 import { initialState, reduce } from '../../../web/pages/catalog/reduce.js';
 import { allRows, filterValues, findEntry, visibleRows } from '../../../web/pages/catalog/select.js';
 import { catalog } from './small.js';
@@ -11,7 +11,7 @@ import { catalog } from './small.js';
 /** @import {Action, Filter, State} from '../../../web/pages/catalog/types.js' */
 
 /** @param {...Action} actions @returns {State} */
-const after = (...actions) => actions.reduce(reduce, { ...initialState(firstPlace(), 'system'), catalog });
+const after = (...actions) => actions.reduce(reduce, { ...initialState(parseCatalogAddress(''), 'system'), catalog });
 /** @param {State} state */
 const names = (state) => visibleRows(state).map(({ shape }) => shape.name);
 /** @param {string} key @returns {Action} */
@@ -76,7 +76,7 @@ describe('entries', () => {
   test('are found by shape and functional', () => {
     expect(findEntry(catalog, 'torus.mvs')?.entry.status).toBe('zero_attained');
     expect(findEntry(catalog, 'torus.mvs')?.shape.genus).toBe(1);
-    for (const id of ['torus', 'torus.willmore', null]) expect(findEntry(catalog, id)).toBeNull();
+    for (const id of ['torus', 'torus.willmore', '']) expect(findEntry(catalog, id)).toBeNull();
     expect(findEntry(null, 'torus.mvs')).toBeNull();
   });
 
@@ -93,9 +93,12 @@ describe('entries', () => {
 
   test('are opened and closed, and an address that is followed says which', () => {
     const open = after({ type: 'entryOpened', entry: 'torus.mvs' });
-    expect(open.place.entry).toBe('torus.mvs');
-    expect(reduce(open, { type: 'entryClosed' }).place.entry).toBeNull();
-    expect(reduce(open, { type: 'addressFollowed', place: firstPlace() }).place).toEqual(firstPlace());
+    expect(open.address.entry).toBe('torus.mvs');
+    expect(reduce(open, { type: 'entryClosed' }).address.entry).toBe('');
+    const place = parseCatalogAddress('?sort=genus&genus=many');
+    const followed = reduce(open, { type: 'addressFollowed', ...place });
+    expect(followed.address).toMatchObject({ sort: 'genus', genus: null, entry: '' });
+    expect(followed.notices).toHaveLength(1);
   });
 
   test('are downloaded one at a time, and a failure is told until the next', () => {

@@ -55,7 +55,7 @@ describe('an energy', () => {
   test('stands beside the paper’s and the exact one where there are any', () => {
     expect(besideWords(catalog.entries[0])).toEqual(['paper 113', 'exact 112.7668']);
     expect(besideWords(entry('two-12', 'mvs', { paper: 75720 }))).toEqual(['paper 75\u202f720']);
-    expect(besideWords(entry('torus', 'mvs', { exact: 0 }))).toEqual([]);
+    expect(besideWords(entry('torus', 'mvs', { status: 'zero_attained', energy: 0, exact: 0 }))).toEqual([]);
   });
 
   test('comes from commands that name the cage, the functional and the levels', () => {

@@ -3,8 +3,8 @@
  * @file What the catalog's actions cause outside its state: the address, and files to save. Compares the state before and after; decides
  * nothing.
  */
+import { formatCatalogAddress } from '../../address/catalog.js';
 import { catalogCsv } from './csv.js';
-import { formatPlace } from './address.js';
 import { findEntry } from './select.js';
 
 /** @import {CatalogSurface} from '../../files/catalog.js' */
@@ -27,10 +27,10 @@ const downloads = {
  * @param {(name: string) => Promise<CatalogSurface>} surroundings.loadSurface
  * @param {() => Promise<typeof import('../../files/mesh_formats.js')>} surroundings.loadFormats
  * @param {(name: string, content: string | ArrayBuffer, type: string) => void} surroundings.save
- * @param {(query: string, how: 'push' | 'replace') => void} surroundings.setQuery of the page's address
+ * @param {(search: string, how: 'push' | 'replace') => void} surroundings.setAddress from the question mark on
  * @returns {(action: Action, before: State, after: State) => void}
  */
-export function createEffects({ dispatch, makeSurface, loadSurface, loadFormats, save, setQuery }) {
+export function createEffects({ dispatch, makeSurface, loadSurface, loadFormats, save, setAddress }) {
   /** @param {State} state @param {EntryId} id @param {Download} what */
   async function download(state, id, what) {
     const found = findEntry(state.catalog, id);
@@ -47,8 +47,9 @@ export function createEffects({ dispatch, makeSurface, loadSurface, loadFormats,
 
   return (action, before, after) => {
     if (action.type !== 'addressFollowed') {
-      const query = formatPlace(after.place);
-      if (query !== formatPlace(before.place)) setQuery(query, action.type === 'entryOpened' ? 'push' : 'replace');
+      const search = formatCatalogAddress(after.address);
+      const how = action.type === 'entryOpened' ? 'push' : 'replace';
+      if (search !== formatCatalogAddress(before.address)) setAddress(search, how);
     }
     if (action.type === 'tablePressed' && after.catalog) {
       save('umbilic-catalog.csv', catalogCsv(after.catalog), 'text/csv;charset=utf-8');

@@ -2,55 +2,54 @@
 /**
  * @file The catalog's state at the start, and what the user's actions make of it. Pure; what must be loaded or saved is in effects.js.
  */
-import { firstPlace } from './address.js';
+import { MOST } from '../../address/compare.js';
 
+/** @import {CatalogAddress} from '../../address/catalog.js' */
 /** @import {Theme} from '../../files/theme.js' */
-/** @import {Action, Place, Sort, State} from './types.js' */
+/** @import {Action, Filter, State} from './types.js' */
 
-/** Entries that can be compared. */
-export const MOST_CHOSEN = 4;
-export const LEAST_CHOSEN = 2;
+/** @type {Filter} */
+export const anyRow = { genus: null, arms: null, group: '', status: '', search: '' };
 
-/** @param {Place} place @param {Theme} theme @returns {State} */
-export function initialState(place, theme) {
-  return { catalog: null, problem: '', place, chosen: [], exporting: null, exportProblem: '', theme };
+/** @param {{address: CatalogAddress, notices: string[]}} place @param {Theme} theme @returns {State} */
+export function initialState({ address, notices }, theme) {
+  return { catalog: null, problem: '', address, notices, chosen: [], exporting: null, exportProblem: '', theme };
 }
 
-/** The first press orders upwards, the next one downwards. @param {Sort} sort @param {string} key @returns {Sort} */
-function turned(sort, key) {
-  const downwards = sort.key === key && sort.direction === 'ascending';
-  return { key, direction: downwards ? 'descending' : 'ascending' };
+/** The first press orders upwards, the next one downwards. @param {CatalogAddress} address @param {string} key */
+function turned({ sort, direction }, key) {
+  const downwards = sort === key && direction === 'asc';
+  return { sort: key, direction: /** @type {'asc' | 'desc'} */ (downwards ? 'desc' : 'asc') };
 }
 
-/** @param {State} state @param {Partial<Place>} change @returns {State} */
+/** @param {State} state @param {Partial<CatalogAddress>} change @returns {State} */
 function move(state, change) {
-  return { ...state, place: { ...state.place, ...change } };
+  return { ...state, address: { ...state.address, ...change } };
 }
 
 /** @param {State} state @param {Action} action @returns {State} */
 export function reduce(state, action) {
-  const { place, chosen } = state;
   switch (action.type) {
     case 'catalogLoaded':
       return { ...state, catalog: action.catalog };
     case 'catalogFailed':
       return { ...state, problem: action.message };
     case 'sortPressed':
-      return move(state, { sort: turned(place.sort, action.key) });
+      return move(state, turned(state.address, action.key));
     case 'filterChanged':
-      return move(state, { filter: { ...place.filter, ...action.change } });
+      return move(state, action.change);
     case 'filterCleared':
-      return move(state, { filter: firstPlace().filter });
+      return move(state, anyRow);
     case 'addressFollowed':
-      return { ...state, place: action.place, exportProblem: '' };
+      return { ...state, address: action.address, notices: action.notices, exportProblem: '' };
     case 'entryOpened':
       return { ...move(state, { entry: action.entry }), exportProblem: '' };
     case 'entryClosed':
-      return move(state, { entry: null });
+      return move(state, { entry: '' });
     case 'entryChosen': {
-      const others = chosen.filter((entry) => entry !== action.entry);
+      const others = state.chosen.filter((entry) => entry !== action.entry);
       if (!action.chosen) return { ...state, chosen: others };
-      return others.length < MOST_CHOSEN ? { ...state, chosen: [...others, action.entry] } : state;
+      return others.length < MOST ? { ...state, chosen: [...others, action.entry] } : state;
     }
     case 'choiceCleared':
       return { ...state, chosen: [] };
@@ -61,6 +60,8 @@ export function reduce(state, action) {
       return { ...state, exporting: null };
     case 'exportFailed':
       return { ...state, exporting: null, exportProblem: action.message };
+    case 'noticesDismissed':
+      return { ...state, notices: [] };
     case 'themeChosen':
       return { ...state, theme: action.theme };
     case 'tablePressed':

@@ -2,20 +2,19 @@
 /**
  * @file What the views read off the state: the rows that are shown in their order, what rows can be filtered by, and single entries.
  */
+import { entryName } from '../../address/compare.js';
 import { shapeTitle } from '../../words/entries.js';
 
+/** @import {CatalogAddress} from '../../address/catalog.js' */
 /** @import {Catalog, CatalogEntry, CatalogFunctional, CatalogShape} from '../../files/catalog.js' */
-/** @import {EntryId, Filter, Row, Sort, State} from './types.js' */
-
-/** @param {{shape: string, functional: string}} entry @returns {EntryId} */
-export const entryId = ({ shape, functional }) => `${shape}.${functional}`;
+/** @import {EntryId, Filter, Row, State} from './types.js' */
 
 /** All rows in the catalog's order. @param {Catalog} catalog @returns {Row[]} */
 export function allRows({ shapes, functionals, entries }) {
-  const byId = new Map(entries.map((entry) => [entryId(entry), entry]));
+  const byId = new Map(entries.map((entry) => [entryName(entry), entry]));
   return shapes.map((shape) => ({
     shape,
-    entries: functionals.map(({ name }) => byId.get(entryId({ shape: shape.name, functional: name })) ?? null),
+    entries: functionals.map(({ name }) => byId.get(entryName({ shape: shape.name, functional: name })) ?? null),
   }));
 }
 
@@ -31,8 +30,8 @@ function passes(row, { genus, arms, group, status, search }) {
   return (
     (genus === null || shape.genus === genus) &&
     (arms === null || shape.arms === arms) &&
-    (group === null || groupOf(row)?.name === group) &&
-    (status === null || entries.some((entry) => entry?.status === status)) &&
+    (group === '' || groupOf(row)?.name === group) &&
+    (status === '' || entries.some((entry) => entry?.status === status)) &&
     search
       .toLowerCase()
       .split(/\s+/)
@@ -51,9 +50,9 @@ function rank(row, key) {
   return row.entries.find((entry) => entry?.functional === key)?.energy ?? null;
 }
 
-/** @param {Row[]} rows in the catalog's order @param {Sort} sort @returns {Row[]} */
-function sorted(rows, { key, direction }) {
-  const sign = direction === 'ascending' ? 1 : -1;
+/** @param {Row[]} rows in the catalog's order @param {CatalogAddress} address @returns {Row[]} */
+function sorted(rows, { sort: key, direction }) {
+  const sign = direction === 'asc' ? 1 : -1;
   if (key === 'shape') return sign > 0 ? rows : rows.toReversed();
   return rows.toSorted((one, other) => {
     const [a, b] = [rank(one, key), rank(other, key)];
@@ -63,11 +62,11 @@ function sorted(rows, { key, direction }) {
 }
 
 /** The rows that are shown. @param {State} state @returns {Row[]} */
-export function visibleRows({ catalog, place }) {
+export function visibleRows({ catalog, address }) {
   if (!catalog) return [];
   return sorted(
-    allRows(catalog).filter((row) => passes(row, place.filter)),
-    place.sort,
+    allRows(catalog).filter((row) => passes(row, address)),
+    address,
   );
 }
 
@@ -89,11 +88,11 @@ export function filterValues(catalog) {
 
 /**
  * @param {Catalog | null} catalog
- * @param {EntryId | null} id
+ * @param {EntryId} id
  * @returns {{entry: CatalogEntry, shape: CatalogShape, functional: CatalogFunctional} | null} null if there is none
  */
 export function findEntry(catalog, id) {
-  const entry = catalog?.entries.find((one) => entryId(one) === id);
+  const entry = catalog?.entries.find((one) => entryName(one) === id);
   const shape = catalog?.shapes.find(({ name }) => name === entry?.shape);
   const functional = catalog?.functionals.find(({ name }) => name === entry?.functional);
   return entry && shape && functional ? { entry, shape, functional } : null;

@@ -3,21 +3,13 @@
  * @file The types of the catalog's one state object and of the actions that change it; nothing here runs.
  */
 
-/** @import {Catalog, CatalogEntry, CatalogShape, EntryStatus} from '../../files/catalog.js' */
+/** @import {CatalogAddress} from '../../address/catalog.js' */
+/** @import {Catalog, CatalogEntry, CatalogShape} from '../../files/catalog.js' */
 /** @import {Theme} from '../../files/theme.js' */
 
 /** "two-3.mvs_cross": shape and functional. @typedef {string} EntryId */
 
-/** What rows are ordered by: the catalog's own order, the genus, or the energy under a functional, by its name. @typedef {string} SortKey */
-
-/** @typedef {{key: SortKey, direction: 'ascending' | 'descending'}} Sort */
-
-/**
- * Which rows are shown; null and '' let all of them pass. A row has a status if one of its entries does.
- * @typedef {{genus: number | null, arms: number | null, group: string | null, status: EntryStatus | null, search: string}} Filter
- */
-
-/** What the address tells: the order, the rows, and the entry whose details are open. @typedef {{sort: Sort, filter: Filter, entry: EntryId | null}} Place */
+/** What decides which rows are shown. @typedef {Pick<CatalogAddress, 'genus' | 'arms' | 'group' | 'status' | 'search'>} Filter */
 
 /**
  * What can be downloaded of an entry: the generated cage, the final control mesh and the limit mesh as OBJ, and the latter as STL and GLB.
@@ -28,7 +20,8 @@
  * @typedef {object} State
  * @property {Catalog | null} catalog null until it is loaded
  * @property {string} problem why it cannot be
- * @property {Place} place
+ * @property {CatalogAddress} address the order, the rows, and the entry whose details are open
+ * @property {string[]} notices what the address says that is not understood
  * @property {EntryId[]} chosen for comparison, in the order in which they were
  * @property {{entry: EntryId, what: Download} | null} exporting
  * @property {string} exportProblem why the last download failed
@@ -40,15 +33,16 @@
 /**
  * @typedef {{type: 'catalogLoaded', catalog: Catalog}
  *   | {type: 'catalogFailed', message: string}
- *   | {type: 'sortPressed', key: SortKey}
+ *   | {type: 'sortPressed', key: string}
  *   | {type: 'filterChanged', change: Partial<Filter>}
  *   | {type: 'filterCleared'}
- *   | {type: 'addressFollowed', place: Place}
+ *   | {type: 'addressFollowed', address: CatalogAddress, notices: string[]}
  *   | {type: 'entryOpened', entry: EntryId} | {type: 'entryClosed'}
  *   | {type: 'entryChosen', entry: EntryId, chosen: boolean} | {type: 'choiceCleared'}
  *   | {type: 'downloadPressed', entry: EntryId, what: Download}
  *   | {type: 'exported'} | {type: 'exportFailed', message: string}
  *   | {type: 'tablePressed'}
+ *   | {type: 'noticesDismissed'}
  *   | {type: 'themeChosen', theme: Theme}} Action
  */
 

@@ -2,11 +2,10 @@
 /**
  * @file One entry in the table: its picture, its energy, what is known of it, and the ways to compare it and to read more.
  */
+import { MOST, entryName } from '../../../address/compare.js';
+import { studioLink } from '../../../address/links.js';
 import { catalogAddress } from '../../../files/catalog.js';
 import { element, setText } from '../../../views/dom.js';
-import { studioAddress } from '../address.js';
-import { MOST_CHOSEN } from '../reduce.js';
-import { entryId } from '../select.js';
 import { besideWords, energyWords } from '../../../words/entries.js';
 
 /** @import {CatalogEntry} from '../../../files/catalog.js' */
@@ -26,7 +25,7 @@ export function energyNodes(entry) {
 /** @param {CatalogEntry} entry @param {string} words what it shows @param {'lazy' | 'eager'} [loading] */
 export function picture(entry, words, loading = 'lazy') {
   if (!entry.minimizer) return element('span', { class: 'no-picture' });
-  const src = catalogAddress(`pictures/${entryId(entry)}.webp`);
+  const src = catalogAddress(`pictures/${entryName(entry)}.webp`);
   return element('img', { src, alt: words, loading, decoding: 'async', draggable: 'false', ...PICTURE });
 }
 
@@ -36,7 +35,7 @@ export function picture(entry, words, loading = 'lazy') {
  * @param {(action: Action) => void} dispatch
  */
 export function createCell(entry, words, dispatch) {
-  const id = entryId(entry);
+  const id = entryName(entry);
   const choose = element('input', { type: 'checkbox', 'aria-label': `Compare ${words}` });
   choose.addEventListener('change', () => dispatch({ type: 'entryChosen', entry: id, chosen: choose.checked }));
   const more = element('button', { type: 'button', class: 'quiet more', 'aria-label': `Details: ${words}` }, 'Details');
@@ -44,11 +43,7 @@ export function createCell(entry, words, dispatch) {
 
   const shown = [picture(entry, words), element('span', { class: 'energy' }, ...energyNodes(entry))];
   const open = entry.minimizer
-    ? element(
-        'a',
-        { class: 'open', href: studioAddress(entry.shape, entry.functional), title: 'Open in the studio' },
-        ...shown,
-      )
+    ? element('a', { class: 'open', href: studioLink(entry), title: 'Open in the studio' }, ...shown)
     : element('span', { class: 'open' }, ...shown);
   const { note } = energyWords(entry);
   const known = note ? [element('p', { class: 'known' }, note)] : [];
@@ -61,15 +56,12 @@ export function createCell(entry, words, dispatch) {
   return {
     root: element('td', {}, content),
     /** @param {State} state */
-    update({ chosen, place }) {
+    update({ chosen, address }) {
       const isChosen = chosen.includes(id);
       choose.checked = isChosen;
-      choose.disabled = !isChosen && chosen.length >= MOST_CHOSEN;
+      choose.disabled = !isChosen && chosen.length >= MOST;
       content.classList.toggle('chosen', isChosen);
-      content.classList.toggle(
-        'beside-the-point',
-        place.filter.status !== null && place.filter.status !== entry.status,
-      );
+      content.classList.toggle('beside-the-point', address.status !== '' && address.status !== entry.status);
     },
   };
 }

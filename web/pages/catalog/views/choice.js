@@ -2,9 +2,9 @@
 /**
  * @file The entries that are chosen for comparison, in a bar that is there while there are any.
  */
+import { FEWEST, MOST } from '../../../address/compare.js';
+import { compareLink } from '../../../address/links.js';
 import { element, find, setText } from '../../../views/dom.js';
-import { compareAddress } from '../address.js';
-import { LEAST_CHOSEN, MOST_CHOSEN } from '../reduce.js';
 import { findEntry } from '../select.js';
 import { columnWords, shapeTitle } from '../../../words/entries.js';
 import { picture } from './cell.js';
@@ -48,17 +48,15 @@ export function createChoiceView(root, dispatch) {
       if (chosen === last) return;
       last = chosen;
       list.replaceChildren(...chosen.flatMap((id) => item(state, id)));
-      const enough = chosen.length >= LEAST_CHOSEN;
-      if (!enough) setText(words, `Choose one more, up to ${MOST_CHOSEN}, to see them side by side.`);
+      const enough = chosen.length >= FEWEST;
+      if (!enough) setText(words, `Choose one more, up to ${MOST}, to see them side by side.`);
       else
         setText(
           words,
-          chosen.length === MOST_CHOSEN
-            ? `${MOST_CHOSEN} entries, which is as many as fit.`
-            : `${chosen.length} entries.`,
+          chosen.length === MOST ? `${MOST} entries, which is as many as fit.` : `${chosen.length} entries.`,
         );
       compare.hidden = !enough;
-      compare.href = compareAddress(chosen);
+      compare.href = compareLink(chosen.flatMap((id) => findEntry(state.catalog, id)?.entry ?? []));
     },
     dispose: () => listening.abort(),
   };

@@ -3,17 +3,17 @@
  * @file Everything that is known of one entry, in a dialog: its energy and where it comes from, its energies under all functionals, its
  * levels, and its downloads.
  */
+import { MOST, entryName } from '../../../address/compare.js';
+import { studioLink } from '../../../address/links.js';
 import { functionals } from '../../../words/functionals.js';
-import { compact, counted, significant, whole, withError } from '../../../words/numbers.js';
+import { compact, counted, significant, upperBound, whole, withError } from '../../../words/numbers.js';
 import { element, find, whenChanged } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
-import { studioAddress } from '../address.js';
-import { MOST_CHOSEN } from '../reduce.js';
-import { entryId, findEntry } from '../select.js';
+import { findEntry } from '../select.js';
 import { capitalized, columnWords, commands, junctionWords, shapeTitle, statusWords } from '../../../words/entries.js';
 import { energyNodes, picture } from './cell.js';
 
-/** @import {CatalogEntry, CatalogShape} from '../../../files/catalog.js' */
+/** @import {CatalogEntry, CatalogStart} from '../../../files/catalog.js' */
 /** @import {Action, Download, EntryId, State} from '../types.js' */
 
 /** @typedef {NonNullable<ReturnType<typeof findEntry>>} Found */
@@ -33,11 +33,14 @@ const downloads = [
   { what: 'glb', name: 'GLB', title: 'The limit surface as a glTF model' },
 ];
 
+/** @param {string} words */
+const sentence = (words) => capitalized(words).replace(/\.?$/, '.');
+
 /** @param {string} term @param {...(Node | string)} value */
 const fact = (term, ...value) => element('div', {}, element('dt', {}, term), element('dd', {}, ...value));
 
-/** @param {CatalogEntry} entry @param {CatalogShape} shape @returns {HTMLElement[]} */
-function facts(entry, shape) {
+/** @param {Found} found @param {CatalogStart[]} starts of the catalog @returns {HTMLElement[]} */
+function facts({ entry, shape }, starts) {
   const { group, certificate, second_family: second, extrapolated, paper, exact, energy, settings } = entry;
   const list = [fact('Genus', String(shape.genus))];
   if (junctionWords(shape)) list.push(fact('Frame', junctionWords(shape)));
@@ -53,8 +56,14 @@ function facts(entry, shape) {
   }
   if (second && second.energy !== null) {
     const { value, error } = withError(second.energy, second.error ?? NaN, 2);
-    const verdict = second.agrees ? 'agrees' : 'does not agree';
-    list.push(fact(`From ${second.family} cages`, `${value}${error && ` ± ${error}`}, ${verdict}`));
+    const bound = second.error === null ? `≤ ${upperBound(second.energy)}` : `${value} ± ${error}`;
+    const verdict = second.agrees === null ? '' : second.agrees ? ', agrees' : ', does not agree';
+    list.push(fact(`From ${second.family} cages`, bound + verdict));
+  }
+  const same = starts.filter((start) => entryName(start) === entryName(entry));
+  if (same.length) {
+    const energies = same.map((start) => `${compact(start.thickness)} × as thick: ${significant(start.energy)}`);
+    list.push(fact('From other cages', energies.join('; ')));
   }
   if (certificate) {
     const { negative, level } = certificate;
@@ -132,15 +141,21 @@ export function createDetailsView(dialog, dispatch) {
   let choose = element('input', { type: 'checkbox' });
   const problem = element('p', { class: 'problem', role: 'alert' });
 
-  /** @param {Found} found */
-  function fill({ entry, shape, functional }) {
-    const id = entryId(entry);
+  /** @param {Found} found @param {CatalogStart[]} starts */
+  function fill(found, starts) {
+    const { entry, shape, functional } = found;
+    const id = entryName(entry);
     const column = columnWords(functional);
     const title = element('h2', { id: 'details-title' }, shapeTitle(shape.name));
     const about = element('p', { class: 'muted' }, `${column.name}: ${column.formula}`);
     const energy = element('p', { class: 'energy' }, ...energyNodes(entry));
     const { name, meaning } = statusWords[entry.status];
-    const known = element('p', {}, element('strong', {}, capitalized(name)), `. ${entry.reason ?? meaning}`);
+    const known = element(
+      'p',
+      {},
+      element('strong', {}, capitalized(name)),
+      `. ${entry.reason ? sentence(entry.reason) : meaning}`,
+    );
     choose = element('input', { type: 'checkbox' });
     choose.addEventListener('change', () => dispatch({ type: 'entryChosen', entry: id, chosen: choose.checked }));
     buttons = downloads
@@ -152,11 +167,7 @@ export function createDetailsView(dialog, dispatch) {
       });
     const actions = entry.minimizer
       ? [
-          element(
-            'a',
-            { class: 'button primary', href: studioAddress(entry.shape, entry.functional) },
-            'Open in the studio',
-          ),
+          element('a', { class: 'button primary', href: studioLink(entry) }, 'Open in the studio'),
           element('label', { class: 'check' }, choose, 'Compare'),
         ]
       : [];
@@ -167,7 +178,7 @@ export function createDetailsView(dialog, dispatch) {
         picture(entry, '', 'eager'),
         element('div', {}, title, about, energy, known, element('div', { class: 'row' }, ...actions)),
       ),
-      element('dl', { class: 'facts' }, ...facts(entry, shape)),
+      element('dl', { class: 'facts' }, ...facts(found, starts)),
       element(
         'div',
         { class: 'tables' },
@@ -185,10 +196,10 @@ export function createDetailsView(dialog, dispatch) {
     content.scrollTop = 0;
   }
 
-  const show = whenChanged((/** @type {State['catalog']} */ catalog, /** @type {EntryId | null} */ id) => {
+  const show = whenChanged((/** @type {State['catalog']} */ catalog, /** @type {EntryId} */ id) => {
     const found = findEntry(catalog, id);
     if (found) {
-      fill(found);
+      fill(found, catalog?.starts ?? []);
       if (!dialog.open) dialog.showModal();
     } else if (dialog.open) {
       dialog.close();
@@ -198,10 +209,10 @@ export function createDetailsView(dialog, dispatch) {
   return {
     /** @param {State} state */
     update(state) {
-      const id = state.place.entry;
+      const id = state.address.entry;
       show(state.catalog, id);
-      choose.checked = id !== null && state.chosen.includes(id);
-      choose.disabled = !choose.checked && state.chosen.length >= MOST_CHOSEN;
+      choose.checked = state.chosen.includes(id);
+      choose.disabled = !choose.checked && state.chosen.length >= MOST;
       for (const button of buttons) {
         const busy = state.exporting?.what === button.name;
         button.setAttribute('aria-busy', String(busy));

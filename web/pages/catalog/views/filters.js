@@ -2,13 +2,13 @@
 /**
  * @file Which rows are shown: search and menus, and how many there are; beside them the whole table to download.
  */
+import { statuses } from '../../../address/catalog.js';
 import { counted } from '../../../words/numbers.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
-import { statuses } from '../address.js';
 import { filterValues, visibleRows } from '../select.js';
 import { capitalized, statusWords } from '../../../words/entries.js';
 
-/** @import {Catalog, EntryStatus} from '../../../files/catalog.js' */
+/** @import {Catalog} from '../../../files/catalog.js' */
 /** @import {Action, Filter, State} from '../types.js' */
 
 /** @param {string} all @param {Array<[value: string, text: string]>} values */
@@ -20,8 +20,7 @@ function options(all, values) {
 /** What a menu's value means for the filter. @param {string} name @param {string} value @returns {Partial<Filter>} */
 function changeOf(name, value) {
   if (name === 'genus' || name === 'arms') return { [name]: value === '' ? null : Number(value) };
-  if (name === 'status') return { status: /** @type {EntryStatus} */ (value) || null };
-  return { group: value || null };
+  return { [name]: value };
 }
 
 /**
@@ -85,13 +84,13 @@ export function createFiltersView(root, dispatch) {
     update(state) {
       if (!state.catalog) return;
       fill(state.catalog);
-      const { filter } = state.place;
-      if (search.value !== filter.search) search.value = filter.search;
-      for (const { name, menu } of menus) menu.value = String(filter[name] ?? '');
+      const { address } = state;
+      if (search.value !== address.search) search.value = address.search;
+      for (const { name, menu } of menus) menu.value = String(address[name] ?? '');
       const shown = visibleRows(state).length;
       const all = state.catalog.shapes.length;
       setText(count, shown === all ? counted(all, 'shape') : `${shown} of ${counted(all, 'shape')}`);
-      clear.hidden = shown === all && filter.search === '' && menus.every(({ menu }) => menu.value === '');
+      clear.hidden = shown === all && address.search === '' && menus.every(({ menu }) => menu.value === '');
     },
     dispose: () => listening.abort(),
   };

@@ -2,8 +2,8 @@
 /**
  * @file How to read the catalog: what is minimized, what is known of an entry, and how to cite it.
  */
+import { statuses } from '../../../address/catalog.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
-import { statuses } from '../address.js';
 import { capitalized, citation, columnWords, statusWords } from '../../../words/entries.js';
 
 /** @import {Catalog} from '../../../files/catalog.js' */

@@ -10,7 +10,7 @@ import { columnWords, junctionWords, shapeTitle } from '../../../words/entries.j
 import { createCell, emptyCell } from './cell.js';
 
 /** @import {Catalog} from '../../../files/catalog.js' */
-/** @import {Action, Row, Sort, State} from '../types.js' */
+/** @import {Action, Row, State} from '../types.js' */
 
 /**
  * @param {string} key what the column orders by
@@ -94,9 +94,11 @@ export function createTableView(root, dispatch) {
     body.replaceChildren(...names.split(' ').flatMap((name) => byName.get(name) ?? []));
   });
 
-  const mark = whenChanged((/** @type {Sort} */ { key, direction }) => {
+  const mark = whenChanged((/** @type {string} */ key, /** @type {'asc' | 'desc'} */ direction) => {
     for (const cell of heads.children) cell.removeAttribute('aria-sort');
-    heads.querySelector(`th[data-key="${CSS.escape(key)}"]`)?.setAttribute('aria-sort', direction);
+    heads
+      .querySelector(`th[data-key="${CSS.escape(key)}"]`)
+      ?.setAttribute('aria-sort', direction === 'asc' ? 'ascending' : 'descending');
   });
 
   return {
@@ -109,7 +111,7 @@ export function createTableView(root, dispatch) {
       fill(state.catalog);
       const visible = visibleRows(state);
       order(visible.map(({ shape }) => shape.name).join(' '));
-      mark(state.place.sort);
+      mark(state.address.sort, state.address.direction);
       for (const row of rows) row.update(state);
       setText(note, visible.length ? '' : 'No shape is like that.');
       find(root, 'thead').hidden = !visible.length;
