@@ -14,5 +14,6 @@ void add_evaluate_command(CLI::App& app, int& exit_code);
 void add_optimize_command(CLI::App& app, int& exit_code);
 void add_check_gradient_command(CLI::App& app, int& exit_code);
 void add_torus_command(CLI::App& app, int& exit_code);
+void add_catalog_command(CLI::App& app, int& exit_code);
 
 }  // namespace umbilic

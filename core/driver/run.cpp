@@ -165,6 +165,7 @@ void Run::cancel() {
 }
 
 const Progress& Run::progress() const { return state_->progress; }
+int Run::patches() const { return state_->level->surface().mesh().face_count(); }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
 const EnergyReport& Run::energies() const { return state_->report_energies(); }
 

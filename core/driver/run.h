@@ -68,6 +68,9 @@ class Run {
 
   const Progress& progress() const;
 
+  /// Faces of the mesh that the current level's surface is evaluated on.
+  int patches() const;
+
   /// The levels ended so far, in order.
   const std::vector<LevelReport>& levels() const;
 
