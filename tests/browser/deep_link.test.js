@@ -29,6 +29,11 @@ function open(search, options = {}) {
   });
 }
 
+/** Waits until the worker has told all of the surface, which comes coarsely first. @param {Page} page */
+async function complete(page) {
+  await page.locator('#downloads [name=control]:not([aria-disabled=true])').waitFor();
+}
+
 /** @param {Page} page the address that its button copies, from the question mark on */
 async function copied(page) {
   await page.getByRole('button', { name: 'Copy address' }).click();
@@ -69,6 +74,7 @@ describe('an address that names an entry', () => {
     expect(await page.locator('[name=shading]').inputValue()).toBe('gaussian');
     expect(await copied(page)).toBe(asked);
 
+    await complete(page);
     const box = await page.locator('#surface canvas').boundingBox();
     if (!box) throw new Error('there is no canvas');
     const before = await pictureOf(page, page.locator('#surface'));
@@ -85,7 +91,7 @@ describe('an address that names an entry', () => {
 
     const again = await open(turned);
     await status(again.page, /^From the catalog/);
-    await again.page.waitForTimeout(1500); // the surface comes coarsely first
+    await complete(again.page);
     const restored = await pictureOf(again.page, again.page.locator('#surface'));
     expect(await copied(again.page)).toBe(turned);
     expect(await difference(page, left, restored)).toBeLessThan(0.01); // angles are kept to a tenth of a degree
