@@ -4,7 +4,7 @@
  */
 import { beforeAll, beforeEach, describe, expect, test } from '@jest/globals';
 import { Cage, InputError, Minimizer, load } from '../../wasm/umbilic.js';
-import { RESTING_QUADS, densityFor } from '../../web/worker/density.js';
+import { MOVING_QUADS, RESTING_QUADS, densityFor } from '../../web/worker/density.js';
 import { SAMPLE_SIZE, transferables } from '../../web/worker/protocol.js';
 import { createSession } from '../../web/worker/session.js';
 
@@ -88,8 +88,9 @@ describe('opening', () => {
     expect(types()).toEqual(['opened', 'surfaced', 'surfaced', 'saved', 'measured']);
     const [opened, coarse, fine, , measured] = messages;
     expect(opened).toMatchObject({ counts: cage.counts, group: { name: 'D3h', order: 12 } });
-    expect(coarse.limit.triangles).toHaveLength(6 * 96);
-    expect(fine.limit.triangles.length).toBeGreaterThan(100 * coarse.limit.triangles.length);
+    const quads = [coarse, fine].map(({ limit }) => limit.triangles.length / 6);
+    expect(quads).toEqual([MOVING_QUADS, RESTING_QUADS].map((most) => 96 * densityFor(96, most) ** 2));
+    expect(quads[0]).toBeLessThan(quads[1] / 3);
     expect(measured.energies.bending / minimizer.energies.bending).toBeCloseTo(1, 10);
 
     obey({ type: 'open', run: 2, source: { ...source, level: 2 }, options });

@@ -98,7 +98,7 @@ export function createSession({ core, post, yieldThen, now }) {
   }
 
   /**
-   * A cage that rests is shown finely, a minimizer, which has many faces, with these first; one that is to be minimized at once is not,
+   * A cage that rests is shown finely, a minimizer, which has many faces, coarsely before; one that is to be minimized at once is not,
    * because what moves comes sooner.
    * @param {number} opened
    */
@@ -106,7 +106,7 @@ export function createSession({ core, post, yieldThen, now }) {
     if (!introducing || run !== opened) return;
     if (pace === 'resting' && detailed) {
       detailed = false;
-      tellSurface(0);
+      tellSurface(MOVING_QUADS);
       return yieldThen(() => guard(opened, () => introduce(opened)));
     }
     if (pace === 'resting') return tellRest();
