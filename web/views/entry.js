@@ -3,7 +3,7 @@
  * @file What the catalog says of the minimizer that was opened, and the button that minimizes it again.
  */
 import { settingsAreFree } from '../state/reduce.js';
-import { besideWords, energyWords, statusWords } from '../words/entries.js';
+import { besideWords, energyWords, statusWords, typeset } from '../words/entries.js';
 import { element, find, onPress, setEnabled, whenChanged } from './dom.js';
 
 /** @import {CatalogEntry} from '../files/catalog.js' */
@@ -22,7 +22,7 @@ export function createEntryView(root, dispatch) {
   const show = whenChanged((/** @type {CatalogEntry | null} */ entry) => {
     root.hidden = !entry;
     if (!entry) return words.replaceChildren();
-    words.title = entry.reason ?? '';
+    words.title = typeset(entry.reason ?? '');
     const { value, error } = energyWords(entry);
     words.replaceChildren(
       'Catalog: ',

@@ -3,7 +3,7 @@
  * @file All energies of the surfaces that are compared, one column each; the least of each functional is marked.
  */
 import { element, whenChanged } from '../../../views/dom.js';
-import { columnWords, energyWords, shapeTitle } from '../../../words/entries.js';
+import { columnWords, energyWords, shapeTitle, typeset } from '../../../words/entries.js';
 import { functionals } from '../../../words/functionals.js';
 import { significant } from '../../../words/numbers.js';
 import { energyTable } from '../energies.js';
@@ -32,7 +32,7 @@ export function createTableView(root) {
       'tr',
       { class: 'known' },
       element('th', { scope: 'row' }, 'What it minimizes'),
-      ...entries.map((entry) => element('td', entry?.reason ? { title: entry.reason } : {}, ...knownOf(entry))),
+      ...entries.map((entry) => element('td', entry?.reason ? { title: typeset(entry.reason) } : {}, ...knownOf(entry))),
     );
     const rows = energyTable(entries).map(({ functional, cells }) => {
       const { name, formula } = functionals.find(({ id }) => id === functional) ?? { name: functional, formula: '' };
