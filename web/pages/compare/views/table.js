@@ -32,7 +32,9 @@ export function createTableView(root) {
       'tr',
       { class: 'known' },
       element('th', { scope: 'row' }, 'What it minimizes'),
-      ...entries.map((entry) => element('td', entry?.reason ? { title: typeset(entry.reason) } : {}, ...knownOf(entry))),
+      ...entries.map((entry) =>
+        element('td', entry?.reason ? { title: typeset(entry.reason) } : {}, ...knownOf(entry)),
+      ),
     );
     const rows = energyTable(entries).map(({ functional, cells }) => {
       const { name, formula } = functionals.find(({ id }) => id === functional) ?? { name: functional, formula: '' };
