@@ -11,7 +11,7 @@ import { initialState, reduce } from './state/reduce.js';
 import { createCageView } from './views/cage.js';
 import { createCertificateView } from './views/certificate.js';
 import { createCopyView } from './views/copy.js';
-import { find, setText, whenChanged } from './views/dom.js';
+import { find, setText } from './views/dom.js';
 import { createDropView, createFileTaker } from './views/drop.js';
 import { createEntryView } from './views/entry.js';
 import { createLegendView } from './views/legend.js';
@@ -20,7 +20,6 @@ import { createAlertView, createDownloadsView } from './views/notices.js';
 import { createObjectiveView } from './views/objective.js';
 import { createPlotView } from './views/plot.js';
 import { createRunView } from './views/run.js';
-import { createSurfaceView } from './views/surface.js';
 import { createEnergiesView, createLevelsView } from './views/tables.js';
 import { createThemeView } from './views/theme.js';
 import { createClient } from './worker/client.js';
@@ -63,7 +62,8 @@ const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), 
   dispatch({ type: 'viewChanged', change: { theme: chosen } }),
 );
 const legend = createLegendView(byId('legend'), (shading) => dispatch({ type: 'viewChanged', change: { shading } }));
-const surface = createSurfaceView(byId('surface'), dispatch);
+/** @type {ReturnType<typeof import('./views/surface.js').createSurfaceView> | null} */
+let surface = null;
 const plain = [
   createEntryView(byId('entry'), dispatch),
   createCageView(byId('cage'), dispatch, takeFiles),
@@ -80,20 +80,22 @@ const plain = [
 createDropView(byId('drop'), takeFiles);
 createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')));
 
-const recolour = whenChanged((/** @type {boolean} */ dark) => surface.recolour());
-
 function show() {
-  recolour(theme.update(state.view.theme));
+  const dark = theme.update(state.view.theme);
   // While the surface moves the range is calm; another cage or a surface at rest gets its own.
   const range = legend.update({
     shading: state.view.shading,
     curvatures: state.surface ? [state.surface.limit.curvatures] : [],
     occasion: `${state.run} ${state.status === 'running'}`,
   });
-  surface.update(state, range);
+  surface?.update(state, range, dark);
   for (const view of plain) view.update(state);
   setText(byId('version'), state.version);
 }
 
 effects({ type: 'alertDismissed' }, { ...state, opening: null, wanted: null }, state);
+show();
+// What draws is the largest part of the page; it is loaded while the worker begins.
+const { createSurfaceView } = await import('./views/surface.js');
+surface = createSurfaceView(byId('surface'), dispatch);
 show();

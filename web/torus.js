@@ -9,7 +9,6 @@ import { initialState, reduce } from './pages/torus/reduce.js';
 import { createControlsView } from './pages/torus/views/controls.js';
 import { createEnergiesPlotView } from './pages/torus/views/energies_plot.js';
 import { createNumbersView } from './pages/torus/views/numbers.js';
-import { createPictureView } from './pages/torus/views/picture.js';
 import { createRatioPlotView } from './pages/torus/views/ratio_plot.js';
 import { createCopyView } from './views/copy.js';
 import { find } from './views/dom.js';
@@ -41,10 +40,10 @@ function dispatch(action) {
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
+/** @type {Array<{update: (shown: typeof state) => void}>} */
 const views = [
   createNoticesView(byId('notices'), () => dispatch({ type: 'noticesDismissed' })),
   createControlsView(byId('blend'), dispatch),
-  createPictureView(byId('surface'), dispatch),
   createNumbersView(byId('numbers')),
   createEnergiesPlotView(byId('energies-plot'), dispatch),
   createRatioPlotView(byId('ratio-plot')),
@@ -57,4 +56,8 @@ function show() {
 }
 
 effects(state);
+show();
+// What draws is the largest part of the page; numbers and plots need not wait for it.
+const { createPictureView } = await import('./pages/torus/views/picture.js');
+views.push(createPictureView(byId('surface'), dispatch));
 show();

@@ -97,18 +97,49 @@ export function viewImports(files) {
 }
 
 /**
- * What belongs to a page is imported by that page and by its entry beside the HTML files only.
+ * The folders of web/ and what each may import besides itself: what is computed without a browser comes first, what is shown last.
+ * @type {Record<string, string[]>}
+ */
+const layers = {
+  words: [],
+  colour: [],
+  plot: [],
+  address: ['words', 'colour'],
+  state: ['words', 'address', 'worker/protocol.js'],
+  files: ['words', 'address', 'state'],
+  scene: ['colour', 'address'],
+  views: ['words', 'colour', 'plot', 'address', 'state', 'scene'],
+};
+
+/**
+ * A page's own files, pages/<page>/, are on top of the common ones, and its views on top of these. Pages do not know each other.
+ * @param {string} folder below web/
+ * @returns {string[] | undefined} what it may import
+ */
+function below(folder) {
+  const page = /^pages\/[^/]+/.exec(folder)?.[0];
+  if (!page) return layers[folder];
+  const common = Object.keys(layers).filter((name) => name !== 'views' && name !== 'state');
+  return folder === page ? common : [...common, 'views', page];
+}
+
+/**
+ * Every folder of web/ imports from the layers above it only; the pages' entries beside the HTML files, from all of them.
  * @param {Files} files
  * @returns {string[]}
  */
-export function pageImports(files) {
-  /** @param {string} name */
-  const pageOf = (name) => /^web\/pages\/(\w+)\//.exec(name)?.[1];
-  return matching(files, /^web\/\w+\/.*\.m?js$/).flatMap(([file, text]) =>
-    imports(file, text)
-      .filter((name) => pageOf(name) !== undefined && pageOf(name) !== pageOf(file))
-      .map((name) => `${file} imports ${name}`),
-  );
+export function webLayers(files) {
+  return matching(files, /^web\/.+\/.*\.m?js$/).flatMap(([file, text]) => {
+    const folder = path.posix.dirname(file).replace(/^web\//, '');
+    if (folder === 'worker') return [];
+    const allowed = below(folder);
+    if (!allowed) return [`${file} is in no layer`];
+    return imports(file, text)
+      .filter((name) => name.startsWith('web/'))
+      .map((name) => name.replace(/^web\//, ''))
+      .filter((name) => ![folder, ...allowed].some((known) => name === known || path.posix.dirname(name) === known))
+      .map((name) => `${file} imports ${name}`);
+  });
 }
 
 const home = 'web/index.js';

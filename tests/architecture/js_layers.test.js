@@ -3,7 +3,7 @@
  * @file The JavaScript layers hold, and each of their checks fails on a small tree that breaks it.
  */
 import { describe, expect, test } from '@jest/globals';
-import { homeImports, memoryAccess, pageImports, viewImports, wasmImports } from './js_layers.js';
+import { homeImports, memoryAccess, viewImports, wasmImports, webLayers } from './js_layers.js';
 import { readTree } from './tree.js';
 
 const tree = readTree();
@@ -13,7 +13,7 @@ describe('the project', () => {
   test('touches WebAssembly memory in one file', () => expect(memoryAccess(tree)).toEqual([]));
   test('loads the module in the worker only', () => expect(wasmImports(tree)).toEqual([]));
   test('keeps the worker out of the views', () => expect(viewImports(tree)).toEqual([]));
-  test('keeps its pages apart', () => expect(pageImports(tree)).toEqual([]));
+  test('imports from the layers above only', () => expect(webLayers(tree)).toEqual([]));
   test('has a home page that neither computes nor draws', () => expect(homeImports(tree)).toEqual([]));
 });
 
@@ -54,14 +54,23 @@ describe('the checks fail on', () => {
     expect(viewImports(new Map([[file, "import { x } from '../../../worker/client.js';"]]))).toHaveLength(1);
   });
 
-  test('a page that imports another, and what is shared that imports a page', () => {
-    const text = "import { x } from '../torus/reduce.js';";
-    expect(pageImports(new Map([['web/pages/catalog/a.js', text]]))).toEqual([
-      'web/pages/catalog/a.js imports web/pages/torus/reduce.js',
-    ]);
-    expect(pageImports(new Map([['web/pages/torus/a.js', text]]))).toEqual([]);
-    expect(pageImports(new Map([['web/views/a.js', "import { x } from '../pages/torus/a.js';"]]))).toHaveLength(1);
-    expect(pageImports(new Map([['web/torus.js', "import { x } from './pages/torus/a.js';"]]))).toEqual([]);
+  test.each([
+    ['web/state/a.js', '../views/dom.js', 'views/dom.js'],
+    ['web/address/a.js', '../state/reduce.js', 'state/reduce.js'],
+    ['web/words/a.js', '../files/save.js', 'files/save.js'],
+    ['web/state/a.js', '../worker/client.js', 'worker/client.js'],
+    ['web/views/a.js', '../pages/one/reduce.js', 'pages/one/reduce.js'],
+    ['web/pages/one/a.js', '../two/reduce.js', 'pages/two/reduce.js'],
+    ['web/pages/one/a.js', './views/plot.js', 'pages/one/views/plot.js'],
+    ['web/pages/one/views/a.js', '../../../state/reduce.js', 'state/reduce.js'],
+  ])('%s that imports %s', (file, name, found) => {
+    const text = `import { x } from '${name}';`;
+    expect(webLayers(new Map([[file, text]]))).toEqual([`${file} imports ${found}`]);
+    expect(webLayers(new Map([['web/a.js', text]]))).toEqual([]);
+  });
+
+  test('a folder that is in no layer', () => {
+    expect(webLayers(new Map([['web/misc/a.js', '']]))).toEqual(['web/misc/a.js is in no layer']);
   });
 
   test('a home page that loads three.js through another file, unless it waits until it is asked', () => {

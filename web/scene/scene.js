@@ -63,6 +63,7 @@ export function createScene(canvas, { calm, slow, rested }) {
       controls.update();
     },
     draw(renderer) {
+      if (!surface.visible) return;
       orbit.focus();
       renderer.render(scene, camera);
     },

@@ -49,11 +49,19 @@ export function createSurfaceView(root, dispatch) {
   const shade = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) =>
     scene?.shade(quantity, range),
   );
+  const recolour = whenChanged((/** @type {boolean} */ dark) =>
+    scene?.setLineColour(getComputedStyle(root).getPropertyValue('color')),
+  );
   let fits = 0;
 
   return {
-    /** @param {State} state @param {Range | null} range of the quantity that the surface is shaded by */
-    update(state, range) {
+    /**
+     * @param {State} state
+     * @param {Range | null} range of the quantity that the surface is shaded by
+     * @param {boolean} dark
+     */
+    update(state, range, dark) {
+      recolour(dark);
       if (!state.surface) return;
       setCamera(state.view.camera);
       setUp(state.cage?.source.kind === 'generated');
@@ -64,10 +72,6 @@ export function createSurfaceView(root, dispatch) {
         scene?.fit(state.surface.limit.positions);
         fits = state.fits;
       }
-    },
-    /** After a change of theme. */
-    recolour() {
-      scene?.setLineColour(getComputedStyle(root).getPropertyValue('color'));
     },
     dispose() {
       listening.abort();

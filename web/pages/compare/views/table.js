@@ -2,6 +2,7 @@
 /**
  * @file All energies of the surfaces that are compared, one column each; the least of each functional is marked.
  */
+import { studioLink } from '../../../address/links.js';
 import { element, whenChanged } from '../../../views/dom.js';
 import { columnWords, energyWords, shapeTitle, typeset } from '../../../words/entries.js';
 import { functionals } from '../../../words/functionals.js';
@@ -24,7 +25,7 @@ export function createTableView(root) {
       return element(
         'th',
         { scope: 'col' },
-        shapeTitle(name.shape),
+        element('a', { href: studioLink(name), title: 'Open in the studio' }, shapeTitle(name.shape)),
         element('span', {}, column ? columnWords(column).name : name.functional),
       );
     });
