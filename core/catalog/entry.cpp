@@ -11,6 +11,9 @@
 namespace umbilic {
 namespace {
 
+/// Relative error bars beyond this say no more than an upper bound does.
+constexpr double kWidestError = 0.1;
+
 /// Ends `run`, level by level. A level is certified when it has ended, before its surface is refined: on the last one
 /// of at most `certified_faces`.
 class Computation {
@@ -79,7 +82,7 @@ std::string reason_of(const LimitReport& limit, const std::vector<LevelReport>& 
       return "a level ended before it had converged";
     case LimitStatus::kNotConverging: {
       const double last = levels.back().energy_reported, before = levels[levels.size() - 2].energy_reported;
-      return fmt::format("the energy changes by {:.2g} % from level {} to {}, and the surfaces do not settle",
+      return fmt::format("the levels are in no asymptotic range: the energy changes by {:.2g} % from level {} to {}",
                          100 * (last - before) / before, levels[levels.size() - 2].level, levels.back().level);
     }
   }
@@ -100,6 +103,9 @@ void judge(Entry& entry) {
     entry.status = EntryStatus::kInfimumNotAttained;
     entry.energy = entry.exact->energy;
     entry.reason = entry.exact->source;
+  } else if (entry.limit.status == LimitStatus::kConverging && entry.limit.error > kWidestError * last) {
+    entry.status = EntryStatus::kUpperBound;
+    entry.reason = fmt::format("the levels leave an error of {:.2g} %", 100 * entry.limit.error / last);
   } else if (entry.limit.status == LimitStatus::kConverging) {
     entry.status = EntryStatus::kConverged;
     entry.energy = entry.limit.energy;

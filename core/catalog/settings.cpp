@@ -17,6 +17,14 @@ constexpr int kCertifiedFaces = 3100;
 constexpr int kVanishingLevels = 2;
 constexpr int kVanishingIterations = 200;
 
+/// Caps over valences above twice this take half a minute, which only the principal functionals are worth.
+constexpr int kCheapArms = 6;
+
+/// Those whose minimizers are expected to converge, in the paper as well.
+bool principal(const CatalogFunctional& functional) {
+  return functional.name == "bending" || functional.name == "mvs_cross";
+}
+
 bool settles_slowly(const CatalogShape& shape) { return shape.junctions == 2 && shape.arms >= 6; }
 
 template <class Named>
@@ -34,13 +42,11 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
   if (exact && (!exact->attained || exact->energy == 0)) {
     levels = kVanishingLevels;
     settings.run.max_iterations = kVanishingIterations;
-  } else {
+  } else if (shape.arms <= kCheapArms || principal(functional)) {
     settings.certified_faces = kCertifiedFaces;
   }
   settings.run.last_level = std::min(levels, last_level);
-  if (shape.frame() && (functional.name == "bending" || functional.name == "mvs_cross")) {
-    settings.second_family = FrameFamily::kHub;
-  }
+  if (shape.frame() && principal(functional)) settings.second_family = FrameFamily::kHub;
   return settings;
 }
 
