@@ -50,7 +50,7 @@ export function facts({ entry, shape }, starts) {
   const same = starts.filter((start) => entryName(start) === entryName(entry));
   if (same.length) {
     const thicknesses = same.map(({ thickness }) => compact(thickness)).join(', ');
-    const energies = same.map((start) => significant(start.energy)).join(', ');
+    const energies = same.map((start) => significant(start.energy, ENERGY_DIGITS)).join(', ');
     list.push(fact(`From thickness ${thicknesses}`, `${energies}, level ${same[0].level}`));
   }
   if (certificate) {
