@@ -60,7 +60,7 @@ createCopyView(find(document, '#copy'));
 
 /** @param {State} shown @returns {Float32Array[]} */
 function curvatures({ surfaces }) {
-  return Object.values(surfaces).flatMap((surface) => ('problem' in surface ? [] : [surface.curvatures]));
+  return Object.values(surfaces).flatMap((surface) => ('problem' in surface ? [] : [surface.spread]));
 }
 
 function show() {

@@ -71,6 +71,32 @@ describe('surfaces side by side', () => {
     await page.context().close();
   }, 90_000);
 
+  test('are drawn when something changes and at no other time', async () => {
+    const { page } = await open(
+      '?entries=two-3.bending,two-3.mvs_cross,torus.bending,cube-frame.bending',
+      {},
+      async (fresh) => {
+        await fresh.addInitScript(() => {
+          const request = window.requestAnimationFrame.bind(window);
+          let frames = 0;
+          window.requestAnimationFrame = (callback) => {
+            document.documentElement.dataset.frames = String(++frames);
+            return request(callback);
+          };
+        });
+      },
+    );
+    await complete(page);
+    await pictureOf(page, page.locator('#panes'));
+    const frames = () => page.evaluate(() => Number(document.documentElement.dataset.frames));
+    const before = await frames();
+    await page.waitForTimeout(1000);
+    expect(await frames()).toBe(before);
+    await turn(page);
+    expect(await frames()).toBeGreaterThan(before);
+    await page.context().close();
+  }, 60_000);
+
   test('share one scale, which is that of the widest, and is symmetric', async () => {
     const { page } = await open('?entries=two-3.bending,torus.bending');
     await complete(page);

@@ -41,6 +41,27 @@ async function copied(page) {
   return new URL(await page.evaluate(() => navigator.clipboard.readText())).search;
 }
 
+/** Before the page loads: keeps when the first picture with a surface was drawn. @param {Page} page */
+async function recordFirstPicture(page) {
+  await page.addInitScript(() => {
+    let surfaced = false;
+    window.Worker = class extends Worker {
+      /** @param {ConstructorParameters<typeof Worker>} options */
+      constructor(...options) {
+        super(...options);
+        this.addEventListener('message', ({ data }) => (surfaced ||= data.type === 'surfaced'));
+      }
+    };
+    addEventListener('DOMContentLoaded', () => {
+      const canvas = /** @type {HTMLElement} */ (document.querySelector('canvas'));
+      new MutationObserver(() => {
+        if (!surfaced || canvas.dataset.picture === 'old') return;
+        document.documentElement.dataset.pictured ??= String(performance.now());
+      }).observe(canvas, { attributeFilter: ['data-picture'] });
+    });
+  });
+}
+
 const search = () => new URLSearchParams(location.search).get('camera');
 
 /** @param {string} text as the page prints numbers */
@@ -64,6 +85,24 @@ describe('an address that names an entry', () => {
     expect(await page.locator('[name=functional]').inputValue()).toBe('bending');
     expect(errors).toEqual([]);
     await page.context().close();
+  }, 60_000);
+
+  test('is drawn soon; prints how soon, which depends on the machine', async () => {
+    /** @type {number[]} */
+    const times = [];
+    for (let i = 0; i < 3; i++) {
+      const { page } = await openAddress(
+        served.browser,
+        `${served.url}studio.html?shape=two-3&functional=mvs_cross`,
+        {},
+        recordFirstPicture,
+      );
+      await page.waitForFunction(() => document.documentElement.dataset.pictured);
+      times.push(Number(await page.evaluate(() => document.documentElement.dataset.pictured)));
+      await page.context().close();
+    }
+    for (const time of times) expect(time).toBeGreaterThan(0);
+    console.log(`An entry was drawn ${times.map(Math.round).join(', ')} ms after its page was asked for`);
   }, 60_000);
 
   test('opens the view that it was copied from: shading, and the camera after it was turned', async () => {

@@ -8,7 +8,7 @@ import { addressOf } from '../../web/state/address.js';
 import { findEntry, showsEntry } from '../../web/state/entry.js';
 import { initialState } from '../../web/state/reduce.js';
 import { statusSentence } from '../../web/state/select.js';
-import { optionsOf } from '../../web/state/settings.js';
+import { defaultSettings, optionsOf } from '../../web/state/settings.js';
 import { catalog, surface } from './catalog.js';
 import { after, answered, openedMessages, stepped } from './state.js';
 
@@ -178,6 +178,11 @@ describe('an entry that is not there', () => {
 });
 
 describe('the studio’s address', () => {
+  test('that says nothing asks for the settings that the studio begins with', () => {
+    expect(initialState().settings).toEqual(defaultSettings);
+    expect(opened('').settings).toEqual(defaultSettings);
+  });
+
   test.each([
     '?shape=two-3',
     '?shape=cube-frame&shading=kappa1&camera=-20,5,1.3',

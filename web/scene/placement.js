@@ -12,6 +12,9 @@ export const FIELD_OF_VIEW = 28;
 /** Free room around a surface that fits, as a factor of its radius. */
 const FIT_MARGIN = 1.16;
 
+/** Radians from the axis that a camera on it keeps, so that it does not lose its azimuth. */
+const OFF_AXIS = 1e-4;
+
 /** What is looked at: in the world, whose y points up on the screen. @typedef {{centre: Vector3, radius: number}} Size */
 
 /**
@@ -33,7 +36,7 @@ export function fittingDistance(radius, aspect) {
  */
 export function placementOf({ azimuth, elevation, distance, target }, { centre, radius }, aspect) {
   const at = new Vector3(...target).multiplyScalar(radius).add(centre);
-  const polar = MathUtils.degToRad(90 - elevation);
+  const polar = MathUtils.clamp(MathUtils.degToRad(90 - elevation), OFF_AXIS, Math.PI - OFF_AXIS);
   const position = new Vector3().setFromSphericalCoords(
     distance * fittingDistance(radius, aspect),
     polar,

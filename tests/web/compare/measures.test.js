@@ -4,7 +4,7 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { energyTable } from '../../../web/pages/compare/energies.js';
-import { areaOf, withUnitArea } from '../../../web/pages/compare/equal_area.js';
+import { areaOf, spreadCurvatures, withUnitArea } from '../../../web/pages/compare/equal_area.js';
 import { torusMesh } from '../../../web/pages/torus/mesh.js';
 import { entry } from '../catalog.js';
 
@@ -40,6 +40,41 @@ describe('a surface of unit size', () => {
     expect(area).toBeCloseTo(9 * 4 * Math.sqrt(3), 4); // 2 √3 edge², edge = 3 √2
     const expected = (1 / 3) * Math.sqrt(area / (4 * Math.PI));
     expect(withUnitArea(octahedron).curvatures[0]).toBeCloseTo(expected, 6);
+  });
+});
+
+describe('curvatures spread over a surface', () => {
+  test('are as many as its parts have area, however many vertices these have', () => {
+    // A square of 1000 thin strips with curvature 1 beside one of two triangles with curvature 5.
+    const strips = 1000;
+    const points = Array.from({ length: strips + 1 }, (_, i) => [i / strips, 0, 0, i / strips, 1, 0]).flat();
+    const fine = Array.from({ length: strips }, (_, i) => [
+      2 * i,
+      2 * i + 2,
+      2 * i + 1,
+      2 * i + 1,
+      2 * i + 2,
+      2 * i + 3,
+    ]);
+    const count = points.length / 3;
+    const mesh = {
+      positions: Float32Array.from([...points, 2, 0, 0, 3, 0, 0, 3, 1, 0, 2, 1, 0]),
+      normals: new Float32Array(),
+      curvatures: new Float32Array(2 * (count + 4)).fill(1).fill(5, 2 * count),
+      triangles: Uint32Array.from([...fine.flat(), count, count + 1, count + 2, count, count + 2, count + 3]),
+      edges: new Uint32Array(),
+    };
+    const spread = spreadCurvatures(mesh);
+    const part = spread.filter((value) => value === 5).length / spread.length;
+    expect(part).toBeCloseTo(0.5, 2);
+  });
+
+  test('have the mean of κ₂ over a torus, which is 0', () => {
+    const mesh = torusMesh(0.3);
+    const values = [...spreadCurvatures(mesh)].filter((_, i) => i % 2);
+    const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+    // ∫ κ₂ dA = ∫∫ cos θ / (R + r cos θ) · r (R + r cos θ) dθ dφ = 0; 2048 points leave their spacing.
+    expect(Math.abs(mean)).toBeLessThan(0.02);
   });
 });
 

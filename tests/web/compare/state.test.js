@@ -12,7 +12,7 @@ import { catalog, surface } from '../catalog.js';
 /** @typedef {import('../../../web/pages/compare/types.js').Action} Action */
 /** @typedef {import('../../../web/pages/compare/types.js').State} State */
 
-/** A tetrahedron. @returns {import('../../../wasm/types.js').Mesh} */
+/** A tetrahedron. */
 function mesh() {
   return {
     positions: Float32Array.from([0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2]),
@@ -20,6 +20,7 @@ function mesh() {
     curvatures: new Float32Array(8).fill(1),
     triangles: Uint32Array.from([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]),
     edges: new Uint32Array(),
+    spread: new Float32Array(),
   };
 }
 

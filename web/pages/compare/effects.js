@@ -3,7 +3,7 @@
  * @file What the comparison's actions cause outside its state: surfaces to load, and the page's address. Decides nothing.
  */
 import { entryName, formatCompareAddress } from '../../address/compare.js';
-import { withUnitArea } from './equal_area.js';
+import { spreadCurvatures, withUnitArea } from './equal_area.js';
 import { entryOf } from './reduce.js';
 
 /** @import {EntryName} from '../../address/compare.js' */
@@ -35,7 +35,9 @@ export function createEffects({ dispatch, loadSurface, makeSurface, setAddress }
     try {
       const surface = await loadSurface(entry.minimizer);
       const mesh = await makeSurface({ what: 'mesh', cage: surface.cage, surface, quads: QUADS / entries.length });
-      return typeof mesh === 'string' ? { problem: '' } : withUnitArea(mesh);
+      if (typeof mesh === 'string') return { problem: '' };
+      const shown = withUnitArea(mesh);
+      return { ...shown, spread: spreadCurvatures(shown) };
     } catch (error) {
       return { problem: error instanceof Error ? error.message : String(error) };
     }

@@ -10,7 +10,10 @@
 /** @import {Catalog} from '../../files/catalog.js' */
 /** @import {Theme} from '../../files/theme.js' */
 
-/** A surface of unit size, or why there is none. @typedef {Mesh | {problem: string}} Shown */
+/**
+ * A surface of unit size with curvatures spread over its area, or why there is none.
+ * @typedef {Mesh & {spread: Float32Array} | {problem: string}} Shown
+ */
 
 /**
  * @typedef {object} State
