@@ -191,7 +191,7 @@ describe('surfaces side by side', () => {
   );
 
   test('are pictures and energies where nothing can be drawn', async () => {
-    const { page } = await open('?entries=two-3.bending,two-3.mvs_cross', {}, async (fresh) => {
+    const { page, errors } = await open('?entries=two-3.bending,two-3.mvs_cross', {}, async (fresh) => {
       await fresh.addInitScript(() => {
         const get = HTMLCanvasElement.prototype.getContext;
         HTMLCanvasElement.prototype.getContext = /** @type {any} */ (
@@ -204,8 +204,10 @@ describe('surfaces side by side', () => {
     });
     await page.getByText('shows no WebGL 2').waitFor();
     expect(await page.locator('.place img').nth(1).getAttribute('src')).toBe('./catalog/pictures/two-3.mvs_cross.webp');
+    await page.waitForFunction(() => [...document.images].filter((image) => image.naturalWidth > 0).length === 2);
     expect(await page.locator('#energies .least').count()).toBe(6);
     expect(page.workers()).toHaveLength(0);
+    expect(errors).toEqual([]);
     await page.screenshot({ path: path.join(screenshots, 'compare-pictures.png'), fullPage: true });
     await page.context().close();
   });
