@@ -3,10 +3,13 @@
 /// The C contract over core/driver: each function decodes, calls and encodes.
 #include "api.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,7 @@
 #include "cage/read.h"
 #include "cage/write.h"
 #include "driver/run.h"
+#include "energy/torus.h"
 #include "mesh/polygon_mesh.h"
 
 using namespace umbilic;
@@ -22,11 +26,13 @@ using namespace umbilic;
 struct umbilic_cage {
   Cage cage;
   CageReport report;
+  std::optional<SymmetryGroup> symmetry;  // of `cage`, where it is known
 };
 
 struct umbilic_minimizer {
   Run run;
   GroupReport group;
+  Points orbit_points;
 };
 
 struct umbilic_certificate {
@@ -68,7 +74,21 @@ Result<umbilic_cage*> make_cage(Result<Cage> cage) {
   if (!cage) return cage.error();
   Result<CageReport> report = validate(*cage);
   if (!report) return report.error();
-  return new umbilic_cage{std::move(cage).value(), std::move(report).value()};
+  return new umbilic_cage{std::move(cage).value(), std::move(report).value(), {}};
+}
+
+/// Counts after Catmull-Clark steps, which keep components and genus: a closed mesh has two corners for each edge.
+CageReport refined(CageReport report, int32_t level) {
+  const auto refine = [](auto& counts) {
+    counts.vertices += counts.edges + counts.faces;
+    counts.faces = 2 * counts.edges;
+    counts.edges *= 4;
+  };
+  for (; level > 0; --level) {
+    refine(report);
+    for (CageComponent& component : report.components) refine(component);
+  }
+  return report;
 }
 
 template <class Matrix>
@@ -123,6 +143,12 @@ std::string joined(const Names& names, const Name& name) {
   return text;
 }
 
+Weights to_weights(const double weights[kFunctionalCount]) {
+  Weights result;
+  std::copy_n(weights, kFunctionalCount, result.begin());
+  return result;
+}
+
 template <class T>
 const T* data_or_null(const std::vector<T>& values) {
   return values.empty() ? nullptr : values.data();
@@ -162,6 +188,15 @@ umbilic_status umbilic_cage_generate(const char* name, int32_t family, double th
   return attempt([&] { return make_cage(generate_cage(name, options)); }, [&](umbilic_cage* cage) { *out = cage; });
 }
 
+umbilic_status umbilic_cage_refined(const umbilic_cage* cage, int32_t level, const double* points, int32_t count,
+                                    umbilic_cage** out) {
+  return attempt(
+      [&] { return symmetric_cage(cage->cage, level, Eigen::Map<const Points>(points, std::max(count, 0), 3)); },
+      [&](SymmetricCage finer) {
+        *out = new umbilic_cage{std::move(finer.cage), refined(cage->report, level), std::move(finer.symmetry)};
+      });
+}
+
 void umbilic_cage_destroy(umbilic_cage* cage) { delete cage; }
 
 void umbilic_cage_counts(const umbilic_cage* cage, int32_t counts[5]) {
@@ -170,11 +205,27 @@ void umbilic_cage_counts(const umbilic_cage* cage, int32_t counts[5]) {
   std::copy_n(values, 5, counts);
 }
 
+umbilic_status umbilic_torus_energies(double ratio, double energies[6]) {
+  if (!(ratio > 0 && ratio < 1)) return fail(UMBILIC_BAD_INPUT, fmt::format("ratio {} is not between 0 and 1", ratio));
+  const auto values = torus_energies(ratio);
+  std::copy(values.begin(), values.end(), energies);
+  return UMBILIC_OK;
+}
+
+umbilic_status umbilic_torus_minimizer(const double weights[6], double minimizer[3]) {
+  const Weights wanted = to_weights(weights);
+  if (Error error; !usable(wanted, error)) return fail(UMBILIC_BAD_INPUT, error.message);
+  const TorusMinimizer found = torus_minimizer(wanted);
+  const double values[3] = {found.ratio, found.energy, double(found.attained)};
+  std::copy_n(values, 3, minimizer);
+  return UMBILIC_OK;
+}
+
 umbilic_status umbilic_minimizer_create(const umbilic_cage* cage, const double weights[6], int32_t cap,
                                         int32_t symmetry, int32_t metric, int32_t first_level, int32_t last_level,
                                         int32_t max_iterations, double tolerance, umbilic_minimizer** out) {
   RunOptions options;
-  std::copy_n(weights, kFunctionalCount, options.weights.begin());
+  options.weights = to_weights(weights);
   options.cap = static_cast<CapKind>(std::clamp(cap, 0, 2));
   options.symmetry = symmetry != 0;
   options.metric = static_cast<MetricChoice>(std::clamp(metric, 0, kMetricChoiceCount - 1));
@@ -182,11 +233,15 @@ umbilic_status umbilic_minimizer_create(const umbilic_cage* cage, const double w
   options.last_level = last_level;
   options.max_iterations = max_iterations;
   options.tolerance = tolerance;
-  return attempt([&] { return Run::create(cage->cage, options); },
-                 [&](Run run) {
-                   GroupReport group = run.group();
-                   *out = new umbilic_minimizer{std::move(run), std::move(group)};
-                 });
+  return attempt(
+      [&] {
+        if (cage->symmetry) return Run::create(SymmetricCage{cage->cage, *cage->symmetry}, options);
+        return Run::create(cage->cage, options);
+      },
+      [&](Run run) {
+        GroupReport group = run.group();
+        *out = new umbilic_minimizer{std::move(run), std::move(group), {}};
+      });
 }
 
 void umbilic_minimizer_destroy(umbilic_minimizer* minimizer) { delete minimizer; }
@@ -238,6 +293,12 @@ void umbilic_minimizer_energies(const umbilic_minimizer* minimizer, double energ
   energies[kFunctionalCount] = r.area;
   energies[kFunctionalCount + 1] = r.gaussian;
   energies[kFunctionalCount + 2] = r.quadrature_error;
+}
+
+const double* umbilic_minimizer_orbit_points(umbilic_minimizer* minimizer, int32_t* count) {
+  minimizer->orbit_points = minimizer->run.orbit_points();
+  *count = int32_t(minimizer->orbit_points.rows());
+  return minimizer->orbit_points.data();
 }
 
 umbilic_status umbilic_minimizer_certify(const umbilic_minimizer* minimizer, umbilic_certificate** out) {

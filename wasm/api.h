@@ -46,10 +46,28 @@ umbilic_status umbilic_cage_read(const char* text, size_t length, umbilic_cage**
 /** A generated cage; `family` 0 hub, 1 flag. Options as in core/cage/generate.h. */
 umbilic_status umbilic_cage_generate(const char* name, int32_t family, double thickness, umbilic_cage** out);
 
+/**
+ * The control mesh `level` Catmull-Clark steps from the cage, with the cage's symmetry, from the points of the first
+ * vertex of each of its orbits, 3 doubles each: what umbilic_minimizer_orbit_points gives of a surface on that level.
+ */
+umbilic_status umbilic_cage_refined(const umbilic_cage* cage, int32_t level, const double* points, int32_t count,
+                                    umbilic_cage** out);
+
 void umbilic_cage_destroy(umbilic_cage* cage);
 
 /** counts: vertices, edges, faces, components, genus. */
 void umbilic_cage_counts(const umbilic_cage* cage, int32_t counts[5]);
+
+/* ---- tori of revolution, in closed form ---- */
+
+/** energies: the six functionals in order, of the torus whose tube has `ratio` of its radius, 0 < ratio < 1. */
+umbilic_status umbilic_torus_energies(double ratio, double energies[6]);
+
+/**
+ * The torus of least energy. minimizer: its ratio (NaN where all have the same energy), the energy, and 1 where it is
+ * attained; 0 where it is the infimum as the ratio, reported as 0, tends to 0.
+ */
+umbilic_status umbilic_torus_minimizer(const double weights[6], double minimizer[3]);
 
 /* ---- one run ---- */
 
@@ -105,6 +123,10 @@ const char* umbilic_minimizer_limit(const umbilic_minimizer* minimizer, double l
  * quadrature error. NaN where a quantity diverges.
  */
 void umbilic_minimizer_energies(const umbilic_minimizer* minimizer, double energies[9]);
+
+/** 3 doubles for each of `count` points: of the first vertex of each orbit of the control mesh of the best surface so
+ * far. */
+const double* umbilic_minimizer_orbit_points(umbilic_minimizer* minimizer, int32_t* count);
 
 /* ---- whether the best surface is a minimum among all surfaces near it, symmetric or not ---- */
 

@@ -89,7 +89,7 @@ export function withText(text, use) {
 /**
  * Runs `use` with a copy of the numbers in the module's memory.
  * @template T
- * @param {number[]} values
+ * @param {ArrayLike<number>} values
  * @param {(pointer: number) => T} use
  * @returns {T}
  */
@@ -153,6 +153,9 @@ export function doublesFrom(count, write) {
   write(scratch);
   return Array.from(core().HEAPF64.subarray(scratch >>> 3, (scratch >>> 3) + count));
 }
+
+/** A copy. @param {number} pointer @param {number} count @returns {Float64Array} */
+export const doublesAt = (pointer, count) => core().HEAPF64.slice(pointer >>> 3, (pointer >>> 3) + count);
 
 /**
  * Copies of a mesh's arrays.

@@ -83,6 +83,12 @@
  * diverges
  */
 
+/**
+ * The torus of revolution of least energy. `ratio` is NaN where all have the same, and 0 where the energy is an infimum
+ * that thinner and thinner tori approach but none attains.
+ * @typedef {{ratio: number, energy: number, attained: boolean}} TorusMinimizer
+ */
+
 /** @typedef {{vertices: number, edges: number, faces: number, components: number, genus: number}} CageCounts */
 
 /**

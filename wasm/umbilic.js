@@ -16,6 +16,7 @@ import {
   check,
   copyMesh,
   core,
+  doublesAt,
   doublesFrom,
   handleFrom,
   integersFrom,
@@ -28,7 +29,7 @@ import {
 
 /**
  * @import {FunctionalName, CapName, MetricName, Phase, StopReason, LimitStatus, MinimizerOptions, Progress, LevelReport,
- * Energies, Group, Limit, CertificateReport, CageCounts, Mesh} from './types.js'
+ * Energies, Group, Limit, CertificateReport, CageCounts, TorusMinimizer, Mesh} from './types.js'
  */
 
 export { InputError, load } from './memory.js';
@@ -72,6 +73,12 @@ function indexIn(known, name, what) {
   return index;
 }
 
+/** @param {Partial<Record<FunctionalName, number>>} weights @returns {number[]} in the core's order */
+function orderedWeights(weights) {
+  for (const name of Object.keys(weights)) indexIn(FUNCTIONALS, name, 'functional');
+  return FUNCTIONALS.map((name) => weights[name] ?? 0);
+}
+
 /** @returns {string} */
 export function version() {
   return stringAt(core()._umbilic_version());
@@ -85,6 +92,29 @@ export function cageNames() {
 /** @returns {FunctionalName[]} */
 export function functionalNames() {
   return /** @type {FunctionalName[]} */ (stringAt(core()._umbilic_functional_names()).trim().split('\n'));
+}
+
+/**
+ * Of the torus of revolution, in closed form.
+ * @param {number} ratio of the tube's radius to that of the circle of its centres, between 0 and 1
+ * @returns {Record<FunctionalName, number>} @throws {InputError}
+ */
+export function torusEnergies(ratio) {
+  const values = doublesFrom(6, (out) => check(core()._umbilic_torus_energies(ratio, out)));
+  const [bending, willmore, mvs, mvs_cross, mehlum_tarrou, second_form_variation] = values;
+  return { bending, willmore, mvs, mvs_cross, mehlum_tarrou, second_form_variation };
+}
+
+/**
+ * The torus of revolution of least energy.
+ * @param {Partial<Record<FunctionalName, number>>} weights
+ * @returns {TorusMinimizer} @throws {InputError}
+ */
+export function torusMinimizer(weights) {
+  const [ratio, energy, attained] = withDoubles(orderedWeights(weights), (pointer) =>
+    doublesFrom(3, (out) => check(core()._umbilic_torus_minimizer(pointer, out))),
+  );
+  return { ratio, energy, attained: attained !== 0 };
 }
 
 /** A control cage: closed, orientable, manifold. */
@@ -114,6 +144,22 @@ export class Cage {
     return withText(
       name,
       (pointer) => new Cage(handleFrom((out) => core()._umbilic_cage_generate(pointer, index, thickness, out))),
+    );
+  }
+
+  /**
+   * The control mesh `level` Catmull-Clark steps from this cage, with its symmetry, that `orbitPoints` of a surface on
+   * that level describe.
+   * @param {number} level
+   * @param {ArrayLike<number>} points x, y, z of the first vertex of each orbit
+   * @returns {Cage} @throws {InputError} where the mesh has another number of orbits
+   */
+  refined(level, points) {
+    const steps = integer(level, 'the level');
+    const count = integer(points.length / 3, 'the number of points');
+    return withDoubles(
+      points,
+      (pointer) => new Cage(handleFrom((out) => core()._umbilic_cage_refined(this.handle, steps, pointer, count, out))),
     );
   }
 
@@ -155,13 +201,11 @@ export class Minimizer {
   constructor(cage, options) {
     const { weights, cap = 'smooth', symmetry = true, metric = 'auto', levels = [0, 2] } = options;
     const { maxIterations = 1000, tolerance = 1e-6 } = options;
-    for (const name of Object.keys(weights)) indexIn(FUNCTIONALS, name, 'functional');
     const choices = [indexIn(CAPS, cap, 'cap'), Number(symmetry), indexIn(METRICS, metric, 'metric')];
     const first = integer(levels[0], 'the first level');
     const last = integer(levels[1], 'the last level');
     const limit = integer(maxIterations, 'the number of iterations');
-    const ordered = FUNCTIONALS.map((name) => weights[name] ?? 0);
-    this.#handle = withDoubles(ordered, (pointer) =>
+    this.#handle = withDoubles(orderedWeights(weights), (pointer) =>
       handleFrom((out) =>
         core()._umbilic_minimizer_create(cage.handle, pointer, ...choices, first, last, limit, tolerance, out),
       ),
@@ -273,6 +317,13 @@ export class Minimizer {
    */
   certify() {
     return new Certificate(handleFrom((out) => core()._umbilic_minimizer_certify(this.#alive, out)));
+  }
+
+  /** For `Cage.refined`. @returns {Float64Array} x, y, z of the first vertex of each orbit of the control mesh */
+  orbitPoints() {
+    let pointer = 0;
+    const [count] = integersFrom(1, (out) => (pointer = core()._umbilic_minimizer_orbit_points(this.#alive, out)));
+    return doublesAt(pointer, 3 * count);
   }
 
   /** @returns {Mesh} */

@@ -1,21 +1,43 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What actions cause outside the state: commands to the worker and files to save. Compares the state before and
- * after; decides nothing.
+ * @file What actions cause outside the state: commands to the worker, entries of the catalog to load, files to save, and the page's
+ * address. Compares the state before and after; decides nothing.
  */
+import { formatStudioAddress } from './address/studio.js';
 import { fileName, reportJson } from './files/report.js';
+import { addressOf } from './state/address.js';
 import { optionsOf } from './state/settings.js';
 
+/** @import {EntryName} from './address/compare.js' */
 /** @import {Action, State} from './state/types.js' */
 /** @import {Client} from './worker/client.js' */
+
+/**
+ * Leaves out what is the same as the last time.
+ * @param {(text: string) => void} work
+ * @returns {(text: string) => void}
+ */
+function onceEach(work) {
+  /** @type {string | null} */
+  let last = null;
+  return (text) => {
+    if (text === last) return;
+    last = text;
+    work(text);
+  };
+}
 
 /**
  * @param {object} surroundings
  * @param {Pick<Client, 'send' | 'abandon'>} surroundings.client
  * @param {(name: string, text: string, type: string) => void} surroundings.save
+ * @param {(name: EntryName) => void} surroundings.load finds an entry of the catalog; ends in `entryLoaded` or `entryMissing`
+ * @param {(search: string) => void} surroundings.setAddress
  * @returns {(action: Action, before: State, after: State) => void}
  */
-export function createEffects({ client, save }) {
+export function createEffects({ client, save, load, setAddress }) {
+  const follow = onceEach(setAddress);
+
   /** @param {State} before @param {State} after */
   function open(before, after) {
     const { opening } = after;
@@ -37,6 +59,8 @@ export function createEffects({ client, save }) {
 
   return (action, before, after) => {
     open(before, after);
+    follow(formatStudioAddress(addressOf(after)));
+    if (after.wanted && after.wanted !== before.wanted) load(after.wanted);
     const { run } = after;
     switch (action.type) {
       case 'startPressed':

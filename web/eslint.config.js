@@ -28,7 +28,10 @@ export default defineConfig([
   },
   { files: ['web/**/*.js'], ignores: ['web/*.config.js'], languageOptions: { globals: globals.browser } },
   { files: ['web/*.config.js', 'tests/**/*.js'], languageOptions: { globals: globals.node } },
-  // Functions that browser tests hand to the page run there.
-  { files: ['tests/browser/**/*.js', 'tests/web/**/*.js'], languageOptions: { globals: globals.browser } },
+  // Functions that browser tests and the pictures' commands hand to the page run there.
+  {
+    files: ['tests/browser/**/*.js', 'tests/web/**/*.js', 'tests/run/pictures/*.js'],
+    languageOptions: { globals: globals.browser },
+  },
   { files: ['wasm/**/*.js'], languageOptions: { globals: { ...globals['shared-node-browser'], process: 'readonly' } } },
 ]);

@@ -25,7 +25,8 @@ int run_command_line(int argc, const char* const* argv) {
   });
   app.footer(
       "CAGE is an OBJ or OFF file of a closed polygon mesh, or - for standard input.\n"
-      "Exit codes: 0 ended with a result, 1 check-gradient found a mismatch, 2 bad usage, 3 bad input, 4 cannot "
+      "Exit codes: 0 ended with a result, 1 check-gradient or catalog --check found a mismatch, 2 bad usage, 3 bad "
+      "input, 4 cannot "
       "write.");
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a failed write like any other
   int exit_code = kEnded;
@@ -35,6 +36,8 @@ int run_command_line(int argc, const char* const* argv) {
   add_evaluate_command(app, exit_code);
   add_optimize_command(app, exit_code);
   add_check_gradient_command(app, exit_code);
+  add_torus_command(app, exit_code);
+  add_catalog_command(app, exit_code);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) throw CLI::RequiredError("A command");

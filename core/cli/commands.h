@@ -13,5 +13,7 @@ void add_info_command(CLI::App& app, int& exit_code);
 void add_evaluate_command(CLI::App& app, int& exit_code);
 void add_optimize_command(CLI::App& app, int& exit_code);
 void add_check_gradient_command(CLI::App& app, int& exit_code);
+void add_torus_command(CLI::App& app, int& exit_code);
+void add_catalog_command(CLI::App& app, int& exit_code);
 
 }  // namespace umbilic

@@ -47,6 +47,27 @@ void ProgressLine::clear() {
   shown_ = false;
 }
 
+CatalogBar::CatalogBar(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+CatalogBar::~CatalogBar() {
+  if (shown_) write_error("\r\x1b[K");
+}
+
+void CatalogBar::update(const CatalogProgress& progress) {
+  if (quiet_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (terminal_ ? now < next_update_ : progress.done == told_) return;
+  constexpr auto kPause = std::chrono::milliseconds(200);
+  next_update_ = now + kPause;
+  told_ = progress.done;
+  if (!terminal_) return write_error(fmt::format("{} of {} entries\n", progress.done, progress.count));
+  constexpr std::size_t kWidth = 30;
+  const std::size_t filled = progress.count > 0 ? kWidth * progress.done / progress.count : 0;
+  write_error(fmt::format("\r[{:=<{}}{: <{}}] {} of {} entries, {} level {}\x1b[K", "", filled, "", kWidth - filled,
+                          progress.done, progress.count, progress.task, progress.level));
+  shown_ = true;
+}
+
 void ProgressLine::update(const Run& run) {
   if (quiet_) return;
   for (; levels_told_ < run.levels().size(); ++levels_told_) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "driver/run.h"
+#include "catalog/runner.h"
 
 namespace umbilic {
 
@@ -39,6 +39,26 @@ class ProgressLine {
   bool terminal_;
   bool shown_ = false;
   std::size_t levels_told_ = 0;
+  std::chrono::steady_clock::time_point next_update_{};
+};
+
+/// Progress of a catalog on standard error: a bar where that is a terminal, else a line per entry.
+class CatalogBar {
+ public:
+  explicit CatalogBar(bool quiet);
+  /// Clears the line.
+  ~CatalogBar();
+  CatalogBar(const CatalogBar&) = delete;
+  CatalogBar& operator=(const CatalogBar&) = delete;
+
+  /// Cheap enough to call after every unit of work, by one thread at a time.
+  void update(const CatalogProgress& progress);
+
+ private:
+  bool quiet_;
+  bool terminal_;
+  bool shown_ = false;
+  std::size_t told_ = 0;
   std::chrono::steady_clock::time_point next_update_{};
 };
 

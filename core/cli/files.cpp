@@ -30,22 +30,6 @@ Error cannot_write(const std::string& path, const std::string& why) {
   return Error{fmt::format("cannot write {}: {}", path, why)};
 }
 
-Result<std::string> read_text(const std::string& path) {
-  const bool from_stdin = path == "-";
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
-      from_stdin ? stdin : std::fopen(path.c_str(), "rb"),
-      [](std::FILE* f) { return f == stdin ? 0 : std::fclose(f); });
-  if (!file) return Error{fmt::format("cannot read {}: {}", path, reason())};
-  std::string text;
-  std::array<char, 1 << 16> block;
-  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get()))
-    text.append(block.data(), count);
-  if (std::ferror(file.get())) {
-    return Error{fmt::format("cannot read {}: {}", from_stdin ? "standard input" : path, reason())};
-  }
-  return text;
-}
-
 /// The file that `path` leads to through symbolic links, whether it exists or not.
 fs::path target_of(const std::string& path) {
   fs::path target = path;
@@ -124,9 +108,25 @@ std::optional<Error> write_directly(const std::string& path, std::string_view te
 
 }  // namespace
 
+Result<std::string> read_file(const std::string& path) {
+  const bool from_stdin = path == "-";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+      from_stdin ? stdin : std::fopen(path.c_str(), "rb"),
+      [](std::FILE* f) { return f == stdin ? 0 : std::fclose(f); });
+  if (!file) return Error{fmt::format("cannot read {}: {}", path, reason())};
+  std::string text;
+  std::array<char, 1 << 16> block;
+  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get()))
+    text.append(block.data(), count);
+  if (std::ferror(file.get())) {
+    return Error{fmt::format("cannot read {}: {}", from_stdin ? "standard input" : path, reason())};
+  }
+  return text;
+}
+
 Result<CageFile> load_cage(const std::string& path) {
   const std::string name = path == "-" ? "standard input" : path;
-  const auto text = read_text(path);
+  const auto text = read_file(path);
   if (!text) return text.error();
   auto cage = read_cage(*text);
   if (!cage) return Error{fmt::format("{}: {}", name, cage.error().message)};

@@ -18,6 +18,9 @@ struct CageFile {
   CageReport report;
 };
 
+/// The whole text at `path`.
+Result<std::string> read_file(const std::string& path);
+
 /// Reads and validates the cage at `path`; errors begin with its name.
 Result<CageFile> load_cage(const std::string& path);
 

@@ -40,65 +40,25 @@ Json json_report(const CageFile& input) {
 void add_objective(Json& report, const Objective& objective) {
   if (!objective.functional.empty()) {
     report["functional"] = objective.functional;
-    return;
+  } else {
+    report["weights"] = json_of(objective.weights);
   }
-  Json weights = Json::object();
-  for (std::size_t i = 0; i < objective.weights.size(); ++i) {
-    if (objective.weights[i] != 0) weights[std::string(kFunctionalNames[i])] = objective.weights[i];
-  }
-  report["weights"] = weights;
 }
 
 void add_cap(Json& report, CapKind cap) { report["cap"] = std::string(name_of(cap)); }
 
 void add_energies(Json& report, const EnergyReport& energies) {
-  Json values = Json::object();
-  for (std::size_t i = 0; i < energies.functionals.size(); ++i) {
-    values[std::string(kFunctionalNames[i])] = energies.functionals[i];
-  }
-  values["area"] = energies.area;
-  values["gaussian"] = energies.gaussian;
   report["instruction_set"] = std::string(name_of(instruction_set()));
-  report["energies"] = values;
+  report["energies"] = json_of(energies);
   report["quadrature_error"] = energies.quadrature_error;
 }
 
-void add_levels(Json& report, const std::vector<LevelReport>& levels) {
-  Json all = Json::array();
-  for (const LevelReport& level : levels) {
-    all.push_back({{"level", level.level},
-                   {"patches", level.patches},
-                   {"unknowns", level.unknowns},
-                   {"energy", level.energy},
-                   {"energy_reported", level.energy_reported},
-                   {"iterations", level.iterations},
-                   {"evaluations", level.evaluations},
-                   {"seconds", level.seconds},
-                   {"stop", std::string(name_of(level.stop))},
-                   {"metric", std::string(level.metric)},
-                   {"metrics", level.metrics},
-                   {"evaluable", level.evaluable}});
-  }
-  report["levels"] = all;
-}
-
-void add_group(Json& report, const GroupReport& group) {
-  report["group"] = {{"name", group.name}, {"order", group.order}};
-}
-
-void add_limit(Json& report, const LimitReport& limit) {
-  report["extrapolated"] = {{"status", std::string(name_of(limit.status))},
-                            {"energy", limit.energy},
-                            {"order", limit.order},
-                            {"error", limit.error}};
-}
+void add_levels(Json& report, const std::vector<LevelReport>& levels) { report["levels"] = json_of(levels); }
+void add_group(Json& report, const GroupReport& group) { report["group"] = json_of(group); }
+void add_limit(Json& report, const LimitReport& limit) { report["extrapolated"] = json_of(limit); }
 
 void add_certificate(Json& report, const CertificateReport& certificate) {
-  report["certificate"] = {{"level", certificate.level},
-                           {"unknowns", certificate.unknowns},
-                           {"gauge", certificate.gauge},
-                           {"tau", certificate.tau},
-                           {"negative", certificate.negative}};
+  report["certificate"] = json_of(certificate);
 }
 
 void add_levels(Json& report, const EvaluationReport& evaluation) {

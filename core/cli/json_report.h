@@ -3,18 +3,15 @@
 /// Reports as JSON: every command prints a part of one object. Numbers that are not finite become null.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "catalog/report_json.h"
 #include "cli/arguments.h"
 #include "cli/files.h"
 #include "driver/report.h"
 
 namespace umbilic {
-
-/// Keeps its keys in the order in which they were added.
-using Json = nlohmann::ordered_json;
 
 /// {"version", "input": {"vertices", "edges", "faces", "components", "genus", "valences", "face_sizes",
 /// "first_level"}}; first_level is null when the cage has no surface that can be evaluated.

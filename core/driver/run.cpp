@@ -14,20 +14,13 @@
 #include "driver/extrapolate.h"
 #include "driver/level.h"
 #include "driver/tessellate.h"
+#include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
 
 namespace umbilic {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-Cage to_cage(const PolygonMesh& mesh, Points control) {
-  Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count())};
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    for (int i = 0; i < mesh.face_size(f); ++i) cage.faces[f].push_back(mesh.origin(mesh.halfedge(f, i)));
-  }
-  return cage;
-}
 
 bool in_range(const RunOptions& options, Error& error) {
   if (!usable(options.weights, error)) return false;
@@ -119,17 +112,23 @@ struct Run::State {
   }
 };
 
-Result<Run> Run::create(const Cage& cage, const RunOptions& options) {
+Result<Run> Run::create(const Cage& cage, const RunOptions& options) { return begin({cage, {}}, options); }
+
+Result<Run> Run::create(const SymmetricCage& cage, const RunOptions& options) {
+  return begin({cage.cage, cage.symmetry}, options);
+}
+
+Result<Run> Run::begin(const StartingCage& start, const RunOptions& options) {
   Error error;
   if (!in_range(options, error)) return error;
-  Result<RefinedCage> prepared = prepare(cage, options.last_level, options.symmetry);
+  Result<RefinedCage> prepared = prepare(start, options.last_level, options.symmetry);
   if (!prepared) return prepared.error();
   if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
   auto state = std::make_unique<State>();
   state->options = options;
   state->required_level = required_level(prepared->mesh).value();
-  const RefinedCage start = refine(std::move(prepared).value(), options.first_level);
-  state->level = std::make_unique<Level>(start, std::max(start.level, state->required_level), state->level_options());
+  const RefinedCage first = refine(std::move(prepared).value(), options.first_level);
+  state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
   state->update_progress();
   return Run(std::move(state));
 }
@@ -166,6 +165,7 @@ void Run::cancel() {
 }
 
 const Progress& Run::progress() const { return state_->progress; }
+int Run::patches() const { return state_->level->surface().mesh().face_count(); }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
 const EnergyReport& Run::energies() const { return state_->report_energies(); }
 
@@ -185,6 +185,11 @@ Result<Certificate> Run::certify() const {
 Cage Run::control_mesh() const {
   const RefinedCage cage = state_->level->best_cage();
   return to_cage(cage.mesh, cage.control);
+}
+
+Points Run::orbit_points() const {
+  const RefinedCage cage = state_->level->best_cage();
+  return Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control);
 }
 
 LimitMesh Run::limit_mesh(int density) const {

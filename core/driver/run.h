@@ -13,10 +13,13 @@
 #include "driver/limit_mesh.h"
 #include "driver/metric_choice.h"
 #include "driver/report.h"
+#include "driver/symmetric_cage.h"
 #include "energy/functional.h"
 #include "surface/cap_kind.h"
 
 namespace umbilic {
+
+struct StartingCage;
 
 struct RunOptions {
   Weights weights{};
@@ -48,6 +51,8 @@ class Run {
   /// Fails when the cage has a vertex of valence 2 or above 24 (after one step, which turns faces into vertices of
   /// their size), the weights are unusable, or the refined mesh would have more than 2 million faces.
   static Result<Run> create(const Cage& cage, const RunOptions& options);
+  /// The same, without a search for the symmetry.
+  static Result<Run> create(const SymmetricCage& cage, const RunOptions& options);
 
   Run(Run&&) noexcept;
   Run& operator=(Run&&) noexcept;
@@ -62,6 +67,9 @@ class Run {
   void cancel();
 
   const Progress& progress() const;
+
+  /// Faces of the mesh that the current level's surface is evaluated on.
+  int patches() const;
 
   /// The levels ended so far, in order.
   const std::vector<LevelReport>& levels() const;
@@ -79,6 +87,9 @@ class Run {
   /// The control mesh of the best surface so far.
   Cage control_mesh() const;
 
+  /// The points of the first vertex of each orbit of `control_mesh`; see driver/symmetric_cage.h.
+  Points orbit_points() const;
+
   /// All energies of the best surface so far by the reporting rule, with the quadrature error. One unit's work, several
   /// times the cost of an evaluation; cached until the surface changes.
   const EnergyReport& energies() const;
@@ -88,6 +99,7 @@ class Run {
 
  private:
   struct State;
+  static Result<Run> begin(const StartingCage& start, const RunOptions& options);
   explicit Run(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -14,8 +14,8 @@
 
 namespace umbilic {
 
-Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric) {
-  RefinedCage result{0, PolygonMesh(cage), cage.vertices, {}};
+Result<RefinedCage> prepare(const StartingCage& start, int last_level, bool symmetric) {
+  RefinedCage result{0, PolygonMesh(start.cage), start.cage.vertices, {}};
   const PolygonMesh& mesh = result.mesh;
   const Result<int> required = required_level(mesh);
   if (!required) return required.error();
@@ -24,7 +24,7 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric) {
   if (faces > kMaxFaces) {
     return Error{fmt::format("level {} would have {:.3g} faces; at most {} are possible", steps, faces, kMaxFaces)};
   }
-  if (symmetric) result.symmetry = find_symmetry(mesh, result.control);
+  if (symmetric) result.symmetry = start.symmetry ? *start.symmetry : find_symmetry(mesh, result.control);
   const Coordinates coordinates(mesh, result.symmetry);
   result.control = coordinates.control(coordinates.unknowns(result.control));
   return result;
@@ -41,8 +41,16 @@ RefinedCage refine(RefinedCage cage, int steps) {
   return cage;
 }
 
+Cage to_cage(const PolygonMesh& mesh, Points control) {
+  Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count())};
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    for (int i = 0; i < mesh.face_size(f); ++i) cage.faces[f].push_back(mesh.origin(mesh.halfedge(f, i)));
+  }
+  return cage;
+}
+
 Result<RefinedCage> refine_to_evaluable(const Cage& cage, int level, bool symmetric) {
-  Result<RefinedCage> prepared = prepare(cage, level, symmetric);
+  Result<RefinedCage> prepared = prepare({cage, {}}, level, symmetric);
   if (!prepared) return prepared.error();
   const int steps = std::max(level, required_level(prepared->mesh).value());
   return refine(std::move(prepared).value(), steps);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "driver/report.h"
 #include "driver/rules.h"
@@ -22,11 +23,19 @@ struct RefinedCage {
 
 inline constexpr int kMaxFaces = 2'000'000;
 
-/// `cage` with its symmetry group (or C1 unless `symmetric`) at level 0; its points are made exactly symmetric. Fails
+/// A cage, with its symmetry where that is known.
+struct StartingCage {
+  const Cage& cage;
+  std::optional<SymmetryGroup> symmetry;
+};
+
+/// The cage with its symmetry group (or C1 unless `symmetric`) at level 0; its points are made exactly symmetric. Fails
 /// as `required_level`, and where the mesh after `last_level` steps would have more than kMaxFaces faces.
-Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric);
+Result<RefinedCage> prepare(const StartingCage& start, int last_level, bool symmetric);
 /// After so many further Catmull-Clark steps.
 RefinedCage refine(RefinedCage cage, int steps);
+/// The polygons of a mesh, their corners in the order of its half-edges.
+Cage to_cage(const PolygonMesh& mesh, Points control);
 
 /// `cage` after `level` Catmull-Clark steps, or as many as it needs to be evaluable. Fails as `prepare`.
 Result<RefinedCage> refine_to_evaluable(const Cage& cage, int level, bool symmetric);

@@ -54,6 +54,7 @@ Coordinates::Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group) : 
   for (int first = 0; first < vertex_count_; ++first) {
     if (reached[first]) continue;
     reached[first] = true;
+    first_of_orbit_.push_back(first);
     rows_[first].basis.setIdentity();
     orbit.assign(1, first);
     FixedSubspace fixed;
@@ -135,6 +136,26 @@ Eigen::VectorXd Coordinates::pull_back(const Points& gradient) const {
 
 void Coordinates::pull_back(const Points& gradient, Eigen::VectorXd& unknowns) const {
   project(gradient, Vector3::Zero(), unknowns);
+}
+
+Points Coordinates::orbit_points(const Points& control) const {
+  if (free()) return control;
+  return control(first_of_orbit_, Eigen::all);
+}
+
+Points Coordinates::control_from_orbits(const Points& points) const {
+  assert(points.rows() == orbit_count());
+  if (free()) return points;
+  Eigen::VectorXd unknowns(count_);
+  for (int i = 0; i < orbit_count(); ++i) {
+    const Rows& rows = rows_[first_of_orbit_[i]];
+    const Vector3 point = points.row(i).transpose() - offset_;
+    for (int k = 0; k < rows.dimension; ++k) {
+      const auto column = rows.basis.col(k);  // of length 1/sqrt(orbit's size)
+      unknowns[rows.first + k] = column.dot(point) / column.squaredNorm();
+    }
+  }
+  return control(unknowns);
 }
 
 Coordinates::Block Coordinates::block(int vertex) const {

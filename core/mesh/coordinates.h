@@ -43,6 +43,13 @@ class Coordinates {
   Eigen::VectorXd pull_back(const Points& gradient) const;
   void pull_back(const Points& gradient, Eigen::VectorXd& unknowns) const;
 
+  /// The points of the first vertex of each orbit, in the order of these vertices; of every vertex where all are free.
+  Points orbit_points(const Points& control) const;
+  /// The symmetric points with these points of the first vertices, each moved to the nearest place that its vertex's
+  /// stabilizer leaves free. `points` has `orbit_count` rows.
+  Points control_from_orbits(const Points& points) const;
+  int orbit_count() const { return free() ? vertex_count_ : static_cast<int>(first_of_orbit_.size()); }
+
   Block block(int vertex) const;
   /// B, 3 vertex_count x count.
   Eigen::SparseMatrix<double> matrix() const;
@@ -61,6 +68,7 @@ class Coordinates {
   int count_ = 0;
   Vector3 offset_ = Vector3::Zero();  ///< of each vertex
   std::vector<Rows> rows_;            ///< of each vertex; empty where every coordinate is free
+  std::vector<int> first_of_orbit_;   ///< empty where every coordinate is free
 };
 
 }  // namespace umbilic

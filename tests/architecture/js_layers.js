@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The layers of the JavaScript: one file touches WebAssembly memory, the worker alone imports it, and views know neither. Every check
- * returns the problems that it finds, one line each.
+ * @file The layers of the JavaScript: one file touches WebAssembly memory, the worker alone imports it, views know neither, pages know nothing
+ * of each other, and the home page loads neither what computes nor what draws. Every check returns the problems that it finds, one line each.
  */
 import path from 'node:path';
 import { parseAst } from 'vite';
@@ -89,9 +89,77 @@ export function wasmImports(files) {
  * @returns {string[]}
  */
 export function viewImports(files) {
-  return matching(files, /^web\/views\/.*\.m?js$/).flatMap(([file, text]) =>
+  return matching(files, /^web\/(pages\/\w+\/)?views\/.*\.m?js$/).flatMap(([file, text]) =>
     imports(file, text)
       .filter((name) => /^(web\/worker|wasm|build)\//.test(name))
       .map((name) => `${file} imports ${name}`),
   );
+}
+
+/**
+ * The folders of web/ and what each may import besides itself: what is computed without a browser comes first, what is shown last.
+ * @type {Record<string, string[]>}
+ */
+const layers = {
+  words: [],
+  colour: [],
+  plot: [],
+  address: ['words', 'colour'],
+  state: ['words', 'address', 'worker/protocol.js'],
+  files: ['words', 'address', 'state'],
+  scene: ['colour', 'address'],
+  views: ['words', 'colour', 'plot', 'address', 'state', 'scene'],
+};
+
+/**
+ * A page's own files, pages/<page>/, are on top of the common ones, and its views on top of these. Pages do not know each other.
+ * @param {string} folder below web/
+ * @returns {string[] | undefined} what it may import
+ */
+function below(folder) {
+  const page = /^pages\/[^/]+/.exec(folder)?.[0];
+  if (!page) return layers[folder];
+  const common = Object.keys(layers).filter((name) => name !== 'views' && name !== 'state');
+  return folder === page ? common : [...common, 'views', page];
+}
+
+/**
+ * Every folder of web/ imports from the layers above it only; the pages' entries beside the HTML files, from all of them.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function webLayers(files) {
+  return matching(files, /^web\/.+\/.*\.m?js$/).flatMap(([file, text]) => {
+    const folder = path.posix.dirname(file).replace(/^web\//, '');
+    if (folder === 'worker') return [];
+    const allowed = below(folder);
+    if (!allowed) return [`${file} is in no layer`];
+    return imports(file, text)
+      .filter((name) => name.startsWith('web/'))
+      .map((name) => name.replace(/^web\//, ''))
+      .filter((name) => ![folder, ...allowed].some((known) => name === known || path.posix.dirname(name) === known))
+      .map((name) => `${file} imports ${name}`);
+  });
+}
+
+const home = 'web/index.js';
+
+/**
+ * The home page loads neither three.js nor the module before they are asked for: no chain of static imports leads to them.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function homeImports(files) {
+  /** @type {Map<string, string>} each file that is loaded, and what imports it */
+  const loaded = new Map([[home, '']]);
+  for (const file of loaded.keys()) {
+    walk(parseAst(files.get(file) ?? ''), ({ type, source }) => {
+      if (!/^(Import|Export(Named|All))Declaration$/.test(type) || !source) return;
+      const relative = source.value.startsWith('.');
+      const name = relative ? path.posix.join(path.posix.dirname(file), source.value) : source.value;
+      if (!loaded.has(name)) loaded.set(name, file);
+    });
+  }
+  const heavy = /^(three\b|web\/scene\/|web\/worker\/(?!requests\.js)|wasm\/|build\/)/;
+  return [...loaded].filter(([name]) => heavy.test(name)).map(([name, file]) => `${file} imports ${name}`);
 }

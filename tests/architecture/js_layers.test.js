@@ -3,7 +3,7 @@
  * @file The JavaScript layers hold, and each of their checks fails on a small tree that breaks it.
  */
 import { describe, expect, test } from '@jest/globals';
-import { memoryAccess, viewImports, wasmImports } from './js_layers.js';
+import { homeImports, memoryAccess, viewImports, wasmImports, webLayers } from './js_layers.js';
 import { readTree } from './tree.js';
 
 const tree = readTree();
@@ -13,6 +13,8 @@ describe('the project', () => {
   test('touches WebAssembly memory in one file', () => expect(memoryAccess(tree)).toEqual([]));
   test('loads the module in the worker only', () => expect(wasmImports(tree)).toEqual([]));
   test('keeps the worker out of the views', () => expect(viewImports(tree)).toEqual([]));
+  test('imports from the layers above only', () => expect(webLayers(tree)).toEqual([]));
+  test('has a home page that neither computes nor draws', () => expect(homeImports(tree)).toEqual([]));
 });
 
 describe('the checks fail on', () => {
@@ -44,6 +46,38 @@ describe('the checks fail on', () => {
 
   test.each(['../worker/client.js', '../../wasm/types.js'])('a view that imports %s', (name) => {
     expect(viewImports(new Map([['web/views/a.js', `import { x } from '${name}';`]]))).toHaveLength(1);
-    expect(viewImports(new Map([['web/main.js', `import { x } from '${name}';`]]))).toEqual([]);
+    expect(viewImports(new Map([['web/studio.js', `import { x } from '${name}';`]]))).toEqual([]);
+  });
+
+  test('a view of a page that imports the worker', () => {
+    const file = 'web/pages/catalog/views/a.js';
+    expect(viewImports(new Map([[file, "import { x } from '../../../worker/client.js';"]]))).toHaveLength(1);
+  });
+
+  test.each([
+    ['web/state/a.js', '../views/dom.js', 'views/dom.js'],
+    ['web/address/a.js', '../state/reduce.js', 'state/reduce.js'],
+    ['web/words/a.js', '../files/save.js', 'files/save.js'],
+    ['web/state/a.js', '../worker/client.js', 'worker/client.js'],
+    ['web/views/a.js', '../pages/one/reduce.js', 'pages/one/reduce.js'],
+    ['web/pages/one/a.js', '../two/reduce.js', 'pages/two/reduce.js'],
+    ['web/pages/one/a.js', './views/plot.js', 'pages/one/views/plot.js'],
+    ['web/pages/one/views/a.js', '../../../state/reduce.js', 'state/reduce.js'],
+  ])('%s that imports %s', (file, name, found) => {
+    const text = `import { x } from '${name}';`;
+    expect(webLayers(new Map([[file, text]]))).toEqual([`${file} imports ${found}`]);
+    expect(webLayers(new Map([['web/a.js', text]]))).toEqual([]);
+  });
+
+  test('a folder that is in no layer', () => {
+    expect(webLayers(new Map([['web/misc/a.js', '']]))).toEqual(['web/misc/a.js is in no layer']);
+  });
+
+  test('a home page that loads three.js through another file, unless it waits until it is asked', () => {
+    const between = /** @type {[string, string]} */ (['web/files/b.js', "import { Mesh } from 'three';"]);
+    expect(homeImports(new Map([['web/index.js', "import { x } from './files/b.js';"], between]))).toEqual([
+      'web/files/b.js imports three',
+    ]);
+    expect(homeImports(new Map([['web/index.js', "import('./files/b.js');"], between]))).toEqual([]);
   });
 });

@@ -13,7 +13,7 @@ const served = servedPage();
 describe('the page', () => {
   test('opens from a sub-path without errors and asks nobody else for anything', async () => {
     const { page, errors, requests } = await openPage(served.browser, served.url);
-    expect(await page.title()).toBe('umbilic');
+    expect(await page.title()).toBe('Studio · umbilic');
     expect(errors).toEqual([]);
     expect(requests.length).toBeGreaterThan(3);
     for (const request of requests) expect(request.startsWith(served.url) || request.startsWith('data:')).toBe(true);

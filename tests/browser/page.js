@@ -13,15 +13,33 @@ export const builtPage = path.join(build, 'web');
 export const screenshots = path.join(build, 'screenshots');
 
 /**
- * Opens the page and waits until its first surface is measured.
+ * What went wrong so far, and what was asked for.
+ * @typedef {{page: Page, errors: string[], requests: string[]}} Watched
+ */
+
+/**
+ * Opens the studio and waits until its first surface is measured.
  * @param {Browser} browser
- * @param {string} url
+ * @param {string} url of the site
  * @param {import('playwright-core').BrowserContextOptions} [options]
  * @param {(page: Page) => Promise<void>} [prepare]
- * @returns {Promise<{page: Page, errors: string[], requests: string[]}>} what went wrong so far, and what was asked
- *   for
+ * @returns {Promise<Watched>}
  */
 export async function openPage(browser, url, options = {}, prepare = async () => {}) {
+  const watched = await openAddress(browser, `${url}studio.html`, options, prepare);
+  await measured(watched.page);
+  return watched;
+}
+
+/**
+ * Opens any page of the site.
+ * @param {Browser} browser
+ * @param {string} address
+ * @param {import('playwright-core').BrowserContextOptions} [options]
+ * @param {(page: Page) => Promise<void>} [prepare]
+ * @returns {Promise<Watched>}
+ */
+export async function openAddress(browser, address, options = {}, prepare = async () => {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
   /** @type {string[]} */
@@ -35,8 +53,7 @@ export async function openPage(browser, url, options = {}, prepare = async () =>
     if (response.status() >= 400) errors.push(`${response.status()} ${response.url()}`);
   });
   await prepare(page);
-  await page.goto(url);
-  await measured(page);
+  await page.goto(address);
   return { page, errors, requests };
 }
 

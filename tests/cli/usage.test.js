@@ -10,7 +10,7 @@ import { outputOf, root, scratchFolder, tetrahedron, umbilic } from './program.j
 const scratch = scratchFolder();
 afterAll(scratch.dispose);
 
-const commands = ['cage', 'info', 'evaluate', 'optimize', 'check-gradient'];
+const commands = ['cage', 'info', 'evaluate', 'optimize', 'check-gradient', 'torus', 'catalog'];
 
 describe('help', () => {
   test('names every command', () => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file `npm run pictures`: takes the README's pictures from the built page, so that they show what it really draws.
+ * @file `npm run pictures`: takes the README's pictures and the catalog's thumbnails from what the page really draws. `npm run pictures --
+ * readme` or `catalog` takes only those.
  */
 import { mkdirSync } from 'node:fs';
 import path from 'node:path';
@@ -9,6 +10,7 @@ import { builtPage, openPage, status } from '../browser/page.js';
 import { serve } from '../browser/site.js';
 import { build } from './build.js';
 import { installPackages, installTools } from './install.js';
+import { catalogPictures } from './pictures/catalog.js';
 import { root } from './process.js';
 
 /** @typedef {import('playwright-core').Browser} Browser */
@@ -51,7 +53,11 @@ if (!(await installTools('native', 'wasm', 'browser')) || !(await installPackage
 if (!(await build('wasm')) || !(await build('web'))) process.exit(1);
 mkdirSync(folder, { recursive: true });
 const [site, browser] = await Promise.all([serve(builtPage), launchBrowser()]);
-await pagePicture(browser, site.url);
-await capsPicture(browser, site.url);
+const wanted = process.argv.slice(2);
+if (!wanted.length || wanted.includes('readme')) {
+  await pagePicture(browser, site.url);
+  await capsPicture(browser, site.url);
+}
+if (!wanted.length || wanted.includes('catalog')) await catalogPictures(browser);
 await browser.close();
 await site.close();

@@ -3,6 +3,7 @@
  * @file What actions cause: commands to the worker, and files.
  */
 import { beforeEach, describe, expect, test } from '@jest/globals';
+import { parseStudioAddress } from '../../web/address/studio.js';
 import { createEffects } from '../../web/effects.js';
 import { fileName, reportJson } from '../../web/files/report.js';
 import { initialState, reduce } from '../../web/state/reduce.js';
@@ -15,6 +16,10 @@ import { answered, certificate, ended, levelReport, noLimit, openedMessages, res
 let sent;
 /** @type {Array<[string, string, string]>} */
 let saved;
+/** @type {any[]} */
+let loads;
+/** @type {string[]} */
+let addresses;
 let abandoned = 0;
 /** @type {ReturnType<typeof createEffects>} */
 let effects;
@@ -22,10 +27,14 @@ let effects;
 beforeEach(() => {
   sent = [];
   saved = [];
+  loads = [];
+  addresses = [];
   abandoned = 0;
   effects = createEffects({
     client: { send: (command) => sent.push(command), abandon: () => abandoned++ },
     save: (...file) => saved.push(file),
+    load: (name) => loads.push(name),
+    setAddress: (search) => addresses.push(search),
   });
 });
 
@@ -171,5 +180,31 @@ describe('a download', () => {
   test('before a run is named by the cage alone', () => {
     expect(fileName(resting(), 'control')).toBe('two-3-level0.obj');
     expect(JSON.parse(reportJson(resting())).levels).toEqual([]);
+  });
+});
+
+describe('the address', () => {
+  test('is set once for each view that has another one, and for nothing else', () => {
+    let state = run(resting(), { type: 'viewChanged', change: { theme: 'dark' } });
+    expect(addresses).toEqual(['?shape=two-3']);
+    state = run(state, { type: 'viewChanged', change: { shading: 'gaussian' } }, { type: 'fitPressed' });
+    state = run(state, { type: 'settingsChanged', change: { functional: 'bending' } });
+    state = run(state, ...openedMessages(2), { type: 'startPressed' });
+    run(state, {
+      type: 'viewChanged',
+      change: { camera: { azimuth: 10, elevation: 0, distance: 1.5, target: [0, 0, 0] } },
+    });
+    const shaded = '?shape=two-3&shading=gaussian';
+    const asked = '?shape=two-3&functional=bending&start=cage&shading=gaussian';
+    expect(addresses.slice(1)).toEqual([shaded, asked, `${asked}&camera=10,0,1.5`]);
+  });
+
+  test('that names an entry has it loaded once', () => {
+    const state = initialState('system', parseStudioAddress('?shape=two-3&functional=mvs'));
+    effects({ type: 'alertDismissed' }, { ...state, wanted: null }, state);
+    run(state, { type: 'viewChanged', change: { shading: 'kappa1' } });
+    expect(loads).toEqual([{ shape: 'two-3', functional: 'mvs' }]);
+    expect(sent).toEqual([]);
+    expect(addresses.at(-1)).toBe('?shape=two-3&functional=mvs&shading=kappa1');
   });
 });

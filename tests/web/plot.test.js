@@ -4,7 +4,7 @@
  * points.
  */
 import { describe, expect, test } from '@jest/globals';
-import { curvePath, pieces, thinned } from '../../web/plot/curves.js';
+import { curvePath, linePath, pieces, thinned } from '../../web/plot/curves.js';
 import { linearScale, logScale, scaleFor, settled } from '../../web/plot/scales.js';
 
 /** @param {number} count @param {number} level @param {number} [start] */
@@ -139,5 +139,20 @@ describe('a curve', () => {
     expect(few).toHaveLength(300);
     expect(few[0]).toBe(samples[0]);
     expect(few[299]).toBe(samples[4999]);
+  });
+});
+
+describe('a line through points', () => {
+  const square = { x: 10, y: 20, width: 100, height: 100 };
+  const across = linearScale(0, 1, 5, false);
+
+  test('goes from the box’s bottom left to its top right with the values', () => {
+    const path = linePath([[0, 1], [0.5, 10], [1, 100]], across, logScale(1, 100, 3), square); // prettier-ignore
+    expect(path).toBe('M10.0 120.0L60.0 70.0L110.0 20.0');
+  });
+
+  test('leaves a gap where a scale cannot show a point', () => {
+    const path = linePath([[0, 1], [0.5, 0], [1, 100]], across, logScale(1, 100, 3), square); // prettier-ignore
+    expect(path).toBe('M10.0 120.0M110.0 20.0');
   });
 });

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The parts of the scene that need no graphics: arrays handed to three.js, the extent of a surface, and the pace of frames.
+ * @file The parts of the scene that need no graphics: arrays handed to three.js, the extent of a surface, where the camera stands, and the pace of
+ * frames.
  */
 import { setTimeout as sleep } from 'node:timers/promises';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
-import { BufferGeometry } from 'three';
+import { BufferGeometry, Vector3 } from 'three';
 import { extent, setEdges, setSurface } from '../../web/scene/geometry.js';
 import { createPace } from '../../web/scene/pace.js';
+import { cameraOf, fittingDistance, placementOf } from '../../web/scene/placement.js';
 import { mesh } from './state.js';
 
 describe('a geometry', () => {
@@ -56,6 +58,39 @@ describe('a geometry', () => {
 
   test('extends from the middle of its box to its farthest vertex', () => {
     expect(extent(Float32Array.from([0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 4]))).toEqual({ centre: [1, 2, 2], radius: 3 });
+  });
+});
+
+describe('where the camera stands', () => {
+  const size = { centre: new Vector3(1, -2, 3), radius: 0.4 };
+
+  test.each([
+    { azimuth: 0, elevation: 0, distance: 1, target: [0, 0, 0] },
+    { azimuth: -123.4, elevation: 56.7, distance: 2.5, target: [0.1, -0.25, 3] },
+    { azimuth: 38.7, elevation: 90, distance: 0.05, target: [0, 0, 0] },
+    { azimuth: 180, elevation: -89.9, distance: 8, target: [0, 0, 0] },
+  ])('for %j leads back to it, whatever the shape of the picture', (numbers) => {
+    const camera = /** @type {import('../../web/address/camera.js').Camera} */ (numbers);
+    for (const aspect of [0.5, 1, 2]) expect(cameraOf(placementOf(camera, size, aspect), size, aspect)).toEqual(camera);
+  });
+
+  test('is on the axis at elevation 90, and where a ball of the radius touches the picture’s edges less the margin', () => {
+    const { position, target } = placementOf({ azimuth: 0, elevation: 90, distance: 1, target: [0, 0, 0] }, size, 1);
+    expect(target).toEqual(size.centre);
+    const away = position.clone().sub(target);
+    // Less than a tenth of a degree from it, so that the azimuth is not lost.
+    expect(away.y).toBeCloseTo(fittingDistance(0.4, 1), 6);
+    expect(Math.hypot(away.x, away.z)).toBeLessThan(1e-3 * away.y);
+    // The angle from the ball's centre to its outline is asin(radius / distance).
+    for (const [aspect, half] of [
+      [1, 14],
+      [3, 14],
+      [0.5, (Math.atan(Math.tan((14 * Math.PI) / 180) / 2) * 180) / Math.PI],
+    ]) {
+      const angle = (Math.asin(0.4 / fittingDistance(0.4, aspect)) * 180) / Math.PI;
+      expect(angle).toBeLessThan(half);
+      expect(angle).toBeGreaterThan(0.8 * half);
+    }
   });
 });
 

@@ -4,7 +4,7 @@
  */
 import { beforeAll, beforeEach, describe, expect, test } from '@jest/globals';
 import { Cage, InputError, Minimizer, load } from '../../wasm/umbilic.js';
-import { RESTING_QUADS, densityFor } from '../../web/worker/density.js';
+import { MOVING_QUADS, RESTING_QUADS, densityFor } from '../../web/worker/density.js';
 import { SAMPLE_SIZE, transferables } from '../../web/worker/protocol.js';
 import { createSession } from '../../web/worker/session.js';
 
@@ -68,6 +68,35 @@ describe('opening', () => {
     expect(saved.level).toBe(1);
     expect(measured.energies.bending).toBeGreaterThan(8 * Math.PI);
     expect(waiting).toEqual([]);
+  });
+
+  test('goes on from a minimizer by its orbits’ points: its symmetry, its cage’s counts, and its energies; coarsely first', () => {
+    const cage = Cage.generate('two-3');
+    const minimizer = new Minimizer(cage, { weights: { bending: 1 }, levels: [1, 1] });
+    while (!minimizer.step(10));
+    const points = minimizer.orbitPoints();
+    const source = /** @type {const} */ ({
+      kind: 'minimizer',
+      name: 'two-3',
+      family: 'flag',
+      thickness: 1,
+      level: 1,
+      points,
+    });
+    obey({ type: 'open', run: 1, source, options: { ...options, levels: [0, 0] } });
+    work();
+    expect(types()).toEqual(['opened', 'surfaced', 'surfaced', 'saved', 'measured']);
+    const [opened, coarse, fine, , measured] = messages;
+    expect(opened).toMatchObject({ counts: cage.counts, group: { name: 'D3h', order: 12 } });
+    const quads = [coarse, fine].map(({ limit }) => limit.triangles.length / 6);
+    expect(quads).toEqual([MOVING_QUADS, RESTING_QUADS].map((most) => 96 * densityFor(96, most) ** 2));
+    expect(quads[0]).toBeLessThan(quads[1] / 3);
+    expect(measured.energies.bending / minimizer.energies.bending).toBeCloseTo(1, 10);
+
+    obey({ type: 'open', run: 2, source: { ...source, level: 2 }, options });
+    expect(all('failed')).toEqual([expect.objectContaining({ run: 2, kind: 'input' })]);
+    minimizer.dispose();
+    cage.dispose();
   });
 
   test('shows a cage that is too coarse to be evaluated as finely as any other', () => {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Hands a text to the browser as a file to save.
+ * @file Hands a text or bytes to the browser as a file to save.
  */
 
 /**
  * @param {string} name
- * @param {string} text
+ * @param {string | ArrayBuffer} content
  * @param {string} type MIME
  */
-export function saveText(name, text, type) {
-  const url = URL.createObjectURL(new Blob([text], { type }));
+export function saveFile(name, content, type) {
+  const url = URL.createObjectURL(new Blob([content], { type }));
   const link = document.createElement('a');
   link.href = url;
   link.download = name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The curves of the convergence plot: one piece per level, with no more points than pixels can show.
+ * @file The curves of plots; that of the convergence plot has one piece per level, and no more points than pixels can show.
  */
 
 /** @import {Sample} from '../state/types.js' */
@@ -60,6 +60,28 @@ export function curvePath(levels, value, across, up, box) {
       path += `${pen}${px.toFixed(1)} ${py.toFixed(1)}${piece.length === 1 ? 'h0' : ''}`;
       pen = 'L';
     }
+  }
+  return path;
+}
+
+/**
+ * The SVG path through points; those that a scale cannot show leave gaps.
+ * @param {Array<[number, number]>} points
+ * @param {Scale} across
+ * @param {Scale} up
+ * @param {Box} box
+ */
+export function linePath(points, across, up, box) {
+  let path = '';
+  let pen = 'M';
+  for (const [x, y] of points) {
+    const [px, py] = [box.x + across.position(x) * box.width, box.y + (1 - up.position(y)) * box.height];
+    if (!Number.isFinite(px) || !Number.isFinite(py)) {
+      pen = 'M';
+      continue;
+    }
+    path += `${pen}${px.toFixed(1)} ${py.toFixed(1)}`;
+    pen = 'L';
   }
   return path;
 }

@@ -3,56 +3,20 @@
  * @file The three.js scene: surface, control cage, light and camera. Draws when something has changed and at no other
  * time.
  */
-import {
-  BufferGeometry,
-  Color,
-  DirectionalLight,
-  Group,
-  HemisphereLight,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  NeutralToneMapping,
-  PerspectiveCamera,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, Scene, Vector3 } from 'three';
 import { extent, setEdges, setSurface } from './geometry.js';
+import { addLights } from './lights.js';
 import { createSurfaceMaterial } from './material.js';
-import { createPace } from './pace.js';
+import { createOrbit } from './orbit.js';
+import { createPainter } from './painter.js';
 
 /** @import * as core from '../../wasm/types.js' */
+/** @import {Camera} from '../address/camera.js' */
 /** @import {Quantity} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
 
-/** More pixels than this per CSS pixel cost time and are not seen. */
-const MAX_PIXEL_RATIO = 2;
-/** Milliseconds of rest after which a slow machine draws once more, finely. */
-const REFINE_AFTER = 350;
-const FIELD_OF_VIEW = 28;
-/** Free room around a fitted surface, as a factor of its radius. */
-const FIT_MARGIN = 1.16;
 /** The surface stands this part of the height above the middle, clear of the legend. */
 const RAISE = 0.035;
-const FIRST_DIRECTION = new Vector3(0.8, 0.52, 1).normalize();
-
-/**
- * Light that reads form: a bright sky, a warm ground, and a key that stays at the viewer's upper left.
- * @param {PerspectiveCamera} camera
- */
-function createLights(camera) {
-  const sky = new HemisphereLight(0xffffff, 0xe2ddd6, 2.3);
-  const rig = new Group();
-  const key = new DirectionalLight(0xffffff, 1.8);
-  key.position.set(-0.9, 1.1, 1.2);
-  const fill = new DirectionalLight(0xf2f4ff, 0.7);
-  fill.position.set(1.4, -0.3, 0.6);
-  rig.add(key, key.target, fill, fill.target);
-  camera.add(rig);
-  return sky;
-}
 
 /**
  * The cage's edges, plain where they are seen and faint where the surface hides them.
@@ -69,16 +33,17 @@ function createCageLines(geometry) {
 
 /**
  * @param {HTMLCanvasElement} canvas fills its parent
- * @param {{calm: boolean, slow: boolean}} options `calm`: without inertia; `slow`: drawn without graphics hardware
+ * @param {object} options
+ * @param {boolean} options.calm without inertia
+ * @param {boolean} options.slow drawn without graphics hardware
+ * @param {(camera: Camera) => void} options.rested is called when the camera has been moved
  */
-export function createScene(canvas, { calm, slow }) {
-  const renderer = new WebGLRenderer({ canvas, antialias: !slow, alpha: true, powerPreference: 'high-performance' });
-  renderer.toneMapping = NeutralToneMapping;
-  const pixelRatio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
-  renderer.setPixelRatio(pixelRatio);
+export function createScene(canvas, { calm, slow, rested }) {
   const scene = new Scene();
-  const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
-  scene.add(camera, createLights(camera));
+  const orbit = createOrbit(canvas, { moved: () => painter.request(), rested });
+  const { camera, controls } = orbit;
+  controls.zoomToCursor = true;
+  addLights(scene, camera);
 
   const surfaceMaterial = createSurfaceMaterial();
   const surfaceGeometry = new BufferGeometry();
@@ -90,44 +55,26 @@ export function createScene(canvas, { calm, slow }) {
   model.add(surface, cage.group);
   scene.add(model);
 
-  const controls = new OrbitControls(camera, canvas);
-  controls.dampingFactor = 0.12;
-  controls.zoomToCursor = true;
-  controls.addEventListener('change', () => requestRender());
+  const painter = createPainter(canvas, {
+    slow,
+    prepare() {
+      // With inertia the update asks for the next frame itself, until it has come to rest; slow frames would make that long.
+      controls.enableDamping = !calm && !painter.isSlow();
+      controls.update();
+    },
+    draw(renderer) {
+      if (!surface.visible) return;
+      orbit.focus();
+      renderer.render(scene, camera);
+    },
+    resized(width, height) {
+      orbit.resize(width / height);
+      camera.setViewOffset(width, height, 0, RAISE * height, width, height);
+    },
+  });
 
   /** Where the surface was and how large, in the world, when it was fitted. */
   let size = { centre: new Vector3(), radius: 1 };
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let refining;
-  const pace = createPace(() => {
-    canvas.dataset.picture = slow ? 'coarse' : 'fine';
-    // With inertia the update asks for the next frame itself, until it has come to rest; slow frames would make that long.
-    controls.enableDamping = !calm && !slow && !pace.isSlow();
-    controls.update();
-    render();
-    if (!slow) return;
-    clearTimeout(refining);
-    refining = setTimeout(() => {
-      if (canvas.dataset.picture !== 'coarse') return;
-      render(2);
-      canvas.dataset.picture = 'fine';
-    }, REFINE_AFTER);
-  });
-
-  function requestRender() {
-    canvas.dataset.picture = 'old';
-    pace.request();
-  }
-
-  /** @param {number} [fineness] */
-  function render(fineness = 1) {
-    if (renderer.getPixelRatio() !== fineness * pixelRatio) renderer.setPixelRatio(fineness * pixelRatio);
-    const distance = camera.position.distanceTo(size.centre);
-    camera.near = Math.max(distance - 8 * size.radius, distance / 200);
-    camera.far = distance + 8 * size.radius;
-    camera.updateProjectionMatrix();
-    renderer.render(scene, camera);
-  }
 
   /**
    * Energies depend on neither size nor place, so both drift while they are minimized; the picture keeps them.
@@ -143,24 +90,12 @@ export function createScene(canvas, { calm, slow }) {
     model.updateMatrixWorld();
   }
 
-  function resize() {
-    const { clientWidth, clientHeight } = canvas.parentElement ?? canvas;
-    if (!clientWidth || !clientHeight) return;
-    renderer.setSize(clientWidth, clientHeight, false);
-    camera.aspect = clientWidth / clientHeight;
-    camera.setViewOffset(clientWidth, clientHeight, 0, RAISE * clientHeight, clientWidth, clientHeight);
-    // At once: a canvas that has been resized is blank until it is drawn.
-    render();
-    requestRender();
-  }
-
-  const observer = new ResizeObserver(resize);
-  observer.observe(canvas.parentElement ?? canvas);
-  canvas.addEventListener('webglcontextrestored', requestRender);
-
   return {
     controls,
-    requestRender,
+    requestRender: painter.request,
+
+    /** Where the surface is looked at from. @param {Camera} next */
+    setCamera: (next) => orbit.set(next),
 
     /**
      * Which axis of the model points upwards on the screen.
@@ -169,7 +104,7 @@ export function createScene(canvas, { calm, slow }) {
     setUp(axis) {
       model.rotation.x = axis === 'z' ? -Math.PI / 2 : 0;
       model.updateMatrixWorld();
-      requestRender();
+      painter.request();
     },
 
     /** @param {core.Mesh} mesh */
@@ -177,66 +112,53 @@ export function createScene(canvas, { calm, slow }) {
       setSurface(surfaceGeometry, mesh);
       hold(mesh.positions);
       surface.visible = true;
-      requestRender();
+      painter.request();
     },
 
     /** @param {core.Mesh} mesh */
     setCage(mesh) {
       setEdges(cageGeometry, mesh);
-      requestRender();
+      painter.request();
     },
 
     /** @param {boolean} visible */
     showCage(visible) {
       cage.group.visible = visible;
-      requestRender();
+      painter.request();
     },
 
     /** @param {Quantity | null} quantity @param {Range | null} range */
     shade(quantity, range) {
       surfaceMaterial.shade(quantity, range);
-      requestRender();
+      painter.request();
     },
 
     /** @param {string} colour of the cage's lines, as in CSS */
     setLineColour(colour) {
       cage.materials.forEach((material) => material.color.set(new Color(colour)));
-      requestRender();
+      painter.request();
     },
 
     /**
-     * Moves the camera so that the surface fills the view; keeps its direction unless `fresh`.
+     * Moves the camera so that the surface fills the view; keeps its direction.
      * @param {Float32Array} positions
-     * @param {boolean} fresh
      */
-    fit(positions, fresh) {
+    fit(positions) {
       const { centre, radius } = extent(positions);
       model.scale.setScalar(1);
       model.position.set(0, 0, 0);
       model.updateMatrixWorld();
       size = { centre: model.localToWorld(new Vector3(...centre)), radius: radius || 1 };
-      const halfHeight = (FIELD_OF_VIEW * Math.PI) / 360;
-      const halfWidth = Math.atan(Math.tan(halfHeight) * camera.aspect);
-      const distance = (FIT_MARGIN * size.radius) / Math.sin(Math.min(halfHeight, halfWidth));
-      const direction = fresh ? FIRST_DIRECTION : camera.position.clone().sub(controls.target).normalize();
-      controls.target.copy(size.centre);
-      controls.minDistance = 0.2 * size.radius;
-      controls.maxDistance = 30 * size.radius;
-      camera.position.copy(size.centre).addScaledVector(direction, distance);
-      controls.update();
-      requestRender();
+      orbit.fit(size);
     },
 
     dispose() {
-      clearTimeout(refining);
-      pace.dispose();
-      observer.disconnect();
-      controls.dispose();
+      painter.dispose();
+      orbit.dispose();
       surfaceGeometry.dispose();
       cageGeometry.dispose();
       cage.materials.forEach((material) => material.dispose());
       surfaceMaterial.dispose();
-      renderer.dispose();
     },
   };
 }

@@ -5,7 +5,8 @@
  */
 import { SAMPLE_SIZE } from '../worker/protocol.js';
 import { whole } from '../words/numbers.js';
-import { beginOpening } from './opening.js';
+import { afterEntryOpened, openWithout, showsEntry } from './entry.js';
+import { beginOpening, firstGenerator, openGenerated } from './opening.js';
 
 /** @import {Loss} from '../worker/client.js' */
 /** @import {Message, Opened} from '../worker/protocol.js' */
@@ -113,7 +114,19 @@ function afterOpened(state, opening, message) {
     exporting: false,
     certifying: null,
   };
-  if (purpose === 'recovery') return { ...opened, status: state.samples.length ? 'ended' : 'resting' };
+  if (purpose === 'recovery') {
+    const minimizer = state.minimizer && showsEntry(state) ? { ...state.minimizer, run } : state.minimizer;
+    return { ...opened, status: state.stop ? 'ended' : 'resting', minimizer };
+  }
+  if (opening.entry && source.kind === 'minimizer') {
+    const { name, family, thickness } = source;
+    const cage = {
+      source: { kind: /** @type {const} */ ('generated'), name, family, thickness },
+      name,
+      counts: message.counts,
+    };
+    return afterEntryOpened({ ...opened, cage, alert: null }, opening.entry);
+  }
   /** @type {State} */
   const fresh = {
     ...opened,
@@ -131,10 +144,12 @@ function afterOpened(state, opening, message) {
     ...fresh,
     settings: { ...state.settings, origin: 'cage' },
     cage: { source, name: source.name, counts: message.counts },
+    minimizer: null,
     saved: null,
     latest: null,
     fitDue: true,
-    alert: null,
+    // What was wrong with the address is still to be read.
+    alert: state.cage ? null : state.alert,
   };
 }
 
@@ -148,8 +163,13 @@ function afterFailed(state, run, message) {
   }
   /** @type {State} */
   const closed = { ...state, opening: null, status: state.status === 'loading' ? 'resting' : state.status };
+  if (opening.purpose === 'entry') return openWithout(closed, message);
   if (opening.purpose === 'cage') {
-    return { ...closed, alert: { title: `${opening.source.name} was not opened`, message } };
+    /** @type {State} */
+    const told = { ...closed, alert: { title: `${opening.source.name} was not opened`, message } };
+    // An address may name a shape that there is not; there is always one to begin with.
+    const nothing = !state.cage && opening.source.name !== firstGenerator.name;
+    return nothing ? openGenerated({ ...told, status: state.status, generator: firstGenerator }) : told;
   }
   return { ...closed, settings: state.runSettings, alert: { title: 'These settings cannot be used', message } };
 }
@@ -176,7 +196,7 @@ export function afterLoss(state, loss, detail) {
   if (loss === 'unloadable') {
     return { ...idle, status: 'unavailable', alert: { title, message: detail || 'WebAssembly with SIMD is needed.' } };
   }
-  const started = state.samples.length > 0 || state.status === 'running';
+  const started = state.samples.length > 0 || state.status === 'running' || showsEntry(state);
   const stopped = state.certifying ? afterCertificate(state, idle, detail) : afterRun(state, idle, title, detail);
   if (!state.cage || state.opening?.purpose === 'recovery') return stopped;
   const { name } = state.cage;
@@ -210,6 +230,7 @@ function afterCertificate({ certifying, runSettings, settings, alert }, idle, de
  * @returns {State}
  */
 function afterRun(state, idle, title, detail) {
+  if (showsEntry(state)) return { ...idle, alert: { title, message: detail || 'The surface is kept.' } };
   const started = state.samples.length > 0 || state.status === 'running';
   const kept =
     started && state.saved

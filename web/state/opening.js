@@ -3,7 +3,11 @@
  * @file How a cage or a surface begins to be opened: under a new run number, with the settings of now.
  */
 
+/** @import {Generator} from '../worker/protocol.js' */
 /** @import {Opening, State} from './types.js' */
+
+/** What the studio opens when nobody says what. @type {Generator} */
+export const firstGenerator = { name: 'two-3', family: 'flag', thickness: 1 };
 
 /**
  * @param {State} state
@@ -13,5 +17,11 @@
 export function beginOpening(state, opening) {
   if (state.status === 'unavailable') return state;
   const run = state.lastRun + 1;
-  return { ...state, lastRun: run, opening: { ...opening, run, settings: state.settings } };
+  return { ...state, lastRun: run, wanted: null, opening: { ...opening, run, settings: state.settings } };
+}
+
+/** The generator's cage. @param {State} state @returns {State} */
+export function openGenerated(state) {
+  const source = /** @type {const} */ ({ kind: 'generated', ...state.generator });
+  return beginOpening(state, { source, purpose: 'cage', then: 'hold', levelOffset: 0 });
 }

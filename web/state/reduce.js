@@ -3,33 +3,40 @@
  * @file The page's state at the start, and what the user's actions make of it. Pure; what must be sent or saved is in
  * effects.js.
  */
+import { parseStudioAddress } from '../address/studio.js';
+import { whatIsAsked } from './address.js';
 import { afterAnswer, afterLoss } from './answers.js';
-import { beginOpening } from './opening.js';
+import { openEntry, openWithout } from './entry.js';
+import { beginOpening, firstGenerator, openGenerated } from './opening.js';
 import { changeSettings, defaultSettings, problemWith } from './settings.js';
 
+/** @import {StudioAddress} from '../address/studio.js' */
 /** @import {Action, State} from './types.js' */
 
-/** @type {State['generator']} */
-const firstGenerator = { name: 'two-3', family: 'flag', thickness: 1 };
-
 /**
- * The page opens on a generated cage.
+ * The studio opens what its address says: a minimizer of the catalog, or a generated cage.
  * @param {State['view']['theme']} [theme]
+ * @param {{address: StudioAddress, notices: string[]}} [said]
  * @returns {State}
  */
-export function initialState(theme = 'system') {
+export function initialState(theme = 'system', said = parseStudioAddress('')) {
+  const { address } = said;
+  const { settings, wanted, notices } = whatIsAsked(address, defaultSettings);
+  const sentences = [...said.notices, ...notices];
   /** @type {State} */
   const blank = {
     status: 'loading',
     version: '',
     cageNames: [firstGenerator.name],
-    generator: firstGenerator,
-    settings: defaultSettings,
+    generator: { name: address.shape, family: address.family, thickness: address.thickness },
+    settings,
     cage: null,
+    wanted,
+    minimizer: null,
     opening: null,
     lastRun: 0,
     run: 0,
-    runSettings: defaultSettings,
+    runSettings: settings,
     group: null,
     levelOffset: 0,
     asked: null,
@@ -47,16 +54,10 @@ export function initialState(theme = 'system') {
     exporting: false,
     certifying: null,
     certificate: null,
-    alert: null,
-    view: { shading: 'mean', cage: false, theme },
+    alert: sentences.length ? { title: 'A part of the address is left out', message: sentences.join(' ') } : null,
+    view: { shading: address.shading, cage: false, camera: address.camera, theme },
   };
-  return openGenerated(blank);
-}
-
-/** @param {State} state @returns {State} */
-function openGenerated(state) {
-  const source = /** @type {const} */ ({ kind: 'generated', ...state.generator });
-  return beginOpening(state, { source, purpose: 'cage', then: 'hold', levelOffset: 0 });
+  return wanted ? blank : openGenerated(blank);
 }
 
 /** The cage as it was opened, with the settings of now. @param {State} state @returns {State} */
@@ -103,6 +104,14 @@ function go(state, then) {
   return beginOpening(state, { source: state.cage.source, purpose: 'start', then, levelOffset: 0 });
 }
 
+/** From the cage, with the settings that led to the catalog's minimizer. @param {State} state @returns {State} */
+function again(state) {
+  const { minimizer, cage } = state;
+  if (!minimizer || !cage || !settingsAreFree(state) || state.opening) return state;
+  const asked = { ...state, settings: minimizer.settings };
+  return beginOpening(asked, { source: cage.source, purpose: 'start', then: 'run', levelOffset: 0 });
+}
+
 /**
  * @param {State} state
  * @param {Action} action
@@ -145,6 +154,12 @@ export function reduce(state, action) {
       return canBeCertified(state) ? { ...state, certifying: { progress: 0, abandoning: false } } : state;
     case 'certificateCancelPressed':
       return state.certifying ? { ...state, certifying: { ...state.certifying, abandoning: true } } : state;
+    case 'entryLoaded':
+      return openEntry(state, action);
+    case 'entryMissing':
+      return state.wanted === action.name ? openWithout(state, action.message) : state;
+    case 'againPressed':
+      return again(state);
     case 'viewChanged':
       return { ...state, view: { ...state.view, ...action.change } };
     case 'fitPressed':

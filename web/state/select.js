@@ -5,6 +5,7 @@
 import { cageWords } from '../words/cages.js';
 import { functionalWords, stopWords } from '../words/functionals.js';
 import { counted } from '../words/numbers.js';
+import { showsEntry } from './entry.js';
 import { canBeCertified, settingsAreFree } from './reduce.js';
 import { activeWeights, problemWith } from './settings.js';
 
@@ -63,6 +64,7 @@ export function statusSentence(state) {
   if (status === 'unavailable') return 'The computation is not available.';
   if (opening && opening.purpose === 'cage') return `Opening ${titleOf(opening.source.name)} …`;
   if (opening && opening.purpose === 'recovery') return 'Bringing the surface back …';
+  if (opening && opening.purpose === 'entry') return 'Opening the catalog’s minimizer …';
   if (status === 'loading') return 'Loading …';
   if (state.asked === 'pause') return 'Pausing …';
   if (state.asked === 'cancel') return 'Cancelling …';
@@ -70,6 +72,7 @@ export function statusSentence(state) {
   const evaluations = counted(state.samples.at(-1)?.evaluation ?? 0, 'evaluation');
   if (status === 'running') return 'Minimizing …';
   if (status === 'paused') return `Paused after ${evaluations}.`;
+  if (showsEntry(state)) return 'From the catalog.';
   if (status === 'ended' && stop) return `${capitalized(stopWords[stop])} after ${evaluations}.`;
   return 'Ready.';
 }

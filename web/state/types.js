@@ -5,8 +5,12 @@
 
 /** @import {CageCounts, CapName, CertificateReport, Energies, FunctionalName} from '../../wasm/types.js' */
 /** @import {Group, LevelReport, Limit, Mesh, Progress, StopReason} from '../../wasm/types.js' */
+/** @import {Camera} from '../address/camera.js' */
+/** @import {Weights} from '../address/weights.js' */
+/** @import {EntryName} from '../address/compare.js' */
 /** @import {Shading} from '../colour/quantities.js' */
-/** @import {Message, Source} from '../worker/protocol.js' */
+/** @import {CatalogEntry, CatalogSurface} from '../files/catalog.js' */
+/** @import {Generator, Message, Source} from '../worker/protocol.js' */
 /** @import {Loss} from '../worker/client.js' */
 
 /**
@@ -22,8 +26,6 @@
  * @property {'cage' | 'surface'} origin where the next run starts from, once there is a surface to go on from
  */
 
-/** The generator as chosen. @typedef {{name: string, family: 'hub' | 'flag', thickness: number}} Generator */
-
 /** The cage that is open. @typedef {{source: Source, name: string, counts: CageCounts}} OpenCage */
 
 /**
@@ -32,10 +34,11 @@
  * @property {number} run
  * @property {Source} source
  * @property {Settings} settings as they were when it began
- * @property {'cage' | 'preview' | 'start' | 'recovery'} purpose a new cage; the same with other settings; a new run;
- *   back after the worker was lost
+ * @property {'cage' | 'preview' | 'start' | 'recovery' | 'entry'} purpose a new cage; the same with other settings; a new run;
+ *   back after the worker was lost; a minimizer of the catalog
  * @property {'hold' | 'run' | 'step'} then
  * @property {number} levelOffset levels of the run start here, counted from the cage
+ * @property {CatalogEntry} [entry] that is opened
  */
 
 /**
@@ -57,6 +60,11 @@
  * @typedef {{progress: number, abandoning: boolean}} Certifying
  */
 
+/**
+ * A minimizer of the catalog: what a run of these settings ends in, and the number under which it was opened.
+ * @typedef {{entry: CatalogEntry, settings: Settings, run: number}} OpenEntry
+ */
+
 /** @typedef {{title: string, message: string}} Alert */
 
 /**
@@ -69,9 +77,11 @@
  * @property {Status} status
  * @property {string} version of the core
  * @property {string[]} cageNames
- * @property {Generator} generator
+ * @property {Generator} generator as chosen
  * @property {Settings} settings
  * @property {OpenCage | null} cage
+ * @property {EntryName | null} wanted an entry of the catalog that is being loaded
+ * @property {OpenEntry | null} minimizer of the catalog, the last that was opened on this cage
  * @property {Opening | null} opening
  * @property {number} lastRun the largest run number given out
  * @property {number} run whose messages count
@@ -94,7 +104,7 @@
  * @property {Certifying | null} certifying
  * @property {CertificateReport | null} certificate of the surface on the screen; its `level` counts from the cage
  * @property {Alert | null} alert
- * @property {{shading: Shading, cage: boolean, theme: 'light' | 'dark' | 'system'}} view
+ * @property {{shading: Shading, cage: boolean, camera: Camera, theme: 'light' | 'dark' | 'system'}} view
  */
 
 /**
@@ -106,6 +116,9 @@
  *   | {type: 'startPressed'} | {type: 'pausePressed'} | {type: 'stepPressed'} | {type: 'cancelPressed'} | {type:
  * 'resetPressed'}
  *   | {type: 'certifyPressed'} | {type: 'certificateCancelPressed'}
+ *   | {type: 'entryLoaded', name: EntryName, entry: CatalogEntry, weights: Weights, surface: CatalogSurface}
+ *   | {type: 'entryMissing', name: EntryName, message: string}
+ *   | {type: 'againPressed'}
  *   | {type: 'viewChanged', change: Partial<State['view']>}
  *   | {type: 'fitPressed'}
  *   | {type: 'downloadPressed', what: 'control' | 'limit' | 'report'}

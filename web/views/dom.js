@@ -68,7 +68,7 @@ export function whenChanged(work) {
   /** @type {T | null} */
   let last = null;
   return (...args) => {
-    if (last && last.every((value, i) => Object.is(value, args[i]))) return;
+    if (last?.length === args.length && last.every((value, i) => Object.is(value, args[i]))) return;
     last = args;
     work(...args);
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The legend: which curvature the surface is shaded by, its colours and its numbers. It also decides the range of
- * the colours.
+ * @file The legend: which curvature surfaces are shaded by, its colours and its numbers. It also decides the range of the
+ * colours, one for all of them.
  */
 import { mapGradient } from '../colour/maps.js';
 import { quantities, quantityOf, sampleValues } from '../colour/quantities.js';
@@ -11,13 +11,21 @@ import { element, find, setText, whenChanged } from './dom.js';
 
 /** @import {Quantity, Shading} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
-/** @import {Action, State, Surface} from '../state/types.js' */
+
+/**
+ * What the legend is of.
+ * @typedef {object} Shaded
+ * @property {Shading} shading
+ * @property {Float32Array[]} curvatures κ1, κ2 per vertex, of every surface with these colours
+ * @property {string} occasion while it is the same, the range stays calm
+ */
 
 /**
  * @param {HTMLElement} root
- * @param {(action: Action) => void} dispatch
+ * @param {(shading: Shading) => void} choose
+ * @param {(quantity: Quantity) => string} [unit] of the numbers, in words
  */
-export function createLegendView(root, dispatch) {
+export function createLegendView(root, choose, unit = (quantity) => `in ${quantity.unit}`) {
   const listening = new AbortController();
   const select = /** @type {HTMLSelectElement} */ (find(root, '[name=shading]'));
   const figure = find(root, 'figure');
@@ -28,17 +36,13 @@ export function createLegendView(root, dispatch) {
     ...quantities.map(({ shading, name }) => element('option', { value: shading }, name)),
     element('option', { value: 'plain' }, 'Plain'),
   );
-  select.addEventListener(
-    'change',
-    () => dispatch({ type: 'viewChanged', change: { shading: /** @type {Shading} */ (select.value) } }),
-    { signal: listening.signal },
-  );
+  select.addEventListener('change', () => choose(/** @type {Shading} */ (select.value)), { signal: listening.signal });
 
   const show = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) => {
     figure.hidden = !quantity || !range;
     if (!quantity || !range) return;
     bar.style.background = mapGradient(quantity.map, 'to right');
-    setText(caption, `${quantity.symbol}, in ${quantity.unit}`);
+    setText(caption, `${quantity.symbol}, ${unit(quantity)}`);
     ticks.replaceChildren(
       ...range.ticks.map((tick) => {
         const position = (100 * (tick - range.low)) / (range.high - range.low);
@@ -49,31 +53,44 @@ export function createLegendView(root, dispatch) {
 
   /** @type {Range | null} */
   let range = null;
+  let lastOccasion = '';
   const measure = whenChanged(
-    (/** @type {Quantity | null} */ quantity, /** @type {Surface | null} */ surface, /** @type {string} */ key) => {
-      if (!quantity || !surface) {
+    (
+      /** @type {Quantity | null} */ quantity,
+      /** @type {string} */ occasion,
+      /** @type {Float32Array[]} */ ...curvatures
+    ) => {
+      if (!quantity || !curvatures.length) {
         range = null;
         return;
       }
-      const next = robustRange(sampleValues(quantity, surface.limit.curvatures), quantity.signed);
-      const wanted = key === lastKey ? calmRange(range, next) : next;
+      const next = robustRange(joined(curvatures.map((one) => sampleValues(quantity, one))), quantity.signed);
+      const wanted = occasion === lastOccasion ? calmRange(range, next) : next;
       // The same range stays the same object: to shade anew is to draw anew.
       if (!range || !sameRange(range, wanted)) range = wanted;
-      lastKey = key;
+      lastOccasion = occasion;
     },
   );
-  let lastKey = '';
 
   return {
-    /** @param {State} state */
-    update(state) {
-      const quantity = quantityOf(state.view.shading);
-      // While the surface moves the range is calm; another quantity, another cage or a surface at rest gets its own.
-      measure(quantity, state.surface, `${state.view.shading} ${state.run} ${state.status === 'running'}`);
-      select.value = state.view.shading;
+    /** @param {Shaded} shaded @returns {Range | null} of the colours */
+    update({ shading, curvatures, occasion }) {
+      const quantity = quantityOf(shading);
+      measure(quantity, `${shading} ${occasion}`, ...curvatures);
+      select.value = shading;
       show(quantity, range);
       return range;
     },
     dispose: () => listening.abort(),
   };
+}
+
+/** @param {Float64Array[]} parts @returns {Float64Array} */
+function joined(parts) {
+  const whole = new Float64Array(parts.reduce((length, part) => length + part.length, 0));
+  parts.reduce((start, part) => {
+    whole.set(part, start);
+    return start + part.length;
+  }, 0);
+  return whole;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The alert over the surface, the downloads, and the theme button.
+ * @file The alert over the surface and the downloads.
  */
-import { element, find, onPress, setEnabled, setText, whenChanged } from './dom.js';
+import { element, find, onPress, setEnabled, whenChanged } from './dom.js';
 
 /** @import {Action, State} from '../state/types.js' */
 
@@ -47,38 +47,6 @@ export function createDownloadsView(root, dispatch) {
       const busy = state.exporting || state.opening || state.certifying || state.status === 'unavailable';
       setEnabled(limit, state.surface !== null && !busy);
       setEnabled(report, state.latest !== null);
-    },
-    dispose: () => listening.abort(),
-  };
-}
-
-/**
- * @param {HTMLButtonElement} button
- * @param {(action: Action) => void} dispatch
- */
-export function createThemeView(button, dispatch) {
-  const listening = new AbortController();
-  const system = matchMedia('(prefers-color-scheme: dark)');
-  /** @type {State['view']['theme']} */
-  let theme = 'system';
-  const isDark = () => theme === 'dark' || (theme === 'system' && system.matches);
-  button.addEventListener(
-    'click',
-    () => dispatch({ type: 'viewChanged', change: { theme: isDark() ? 'light' : 'dark' } }),
-    { signal: listening.signal },
-  );
-  function show() {
-    document.documentElement.dataset.theme = theme;
-    setText(button, isDark() ? 'Light' : 'Dark');
-    button.setAttribute('aria-label', isDark() ? 'Light theme' : 'Dark theme');
-  }
-  system.addEventListener('change', show, { signal: listening.signal });
-  return {
-    /** @param {State} state */
-    update(state) {
-      theme = state.view.theme;
-      show();
-      return isDark();
     },
     dispose: () => listening.abort(),
   };

@@ -5,42 +5,19 @@
  */
 import { curvePath, pieces } from '../plot/curves.js';
 import { linearScale, scaleFor, settled } from '../plot/scales.js';
-import { compact, counted, significant, tickText } from '../words/numbers.js';
+import { compact, counted, significant } from '../words/numbers.js';
 import { element, setText, whenChanged } from './dom.js';
+import { svg, valueTicks } from './svg.js';
 
 /** @import {Box} from '../plot/curves.js' */
 /** @import {Scale} from '../plot/scales.js' */
 /** @import {Sample, State} from '../state/types.js' */
 
-const SVG = 'http://www.w3.org/2000/svg';
 const LEFT = 52;
 const RIGHT = 8;
 const ENERGY = { top: 38, height: 112, value: (/** @type {Sample} */ sample) => sample.energy };
 const GRADIENT = { top: 186, height: 84, value: (/** @type {Sample} */ sample) => sample.gradientNorm };
 const HEIGHT = 310;
-
-/**
- * @param {string} tag
- * @param {Record<string, string | number>} attributes
- * @param {...(Node | string)} children
- */
-function svg(tag, attributes, ...children) {
-  const created = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) created.setAttribute(name, String(value));
-  created.append(...children);
-  return created;
-}
-
-/** @param {Scale} up @param {Box} box */
-function valueTicks(up, box) {
-  return up.ticks.flatMap((tick) => {
-    const y = (box.y + (1 - up.position(tick)) * box.height).toFixed(1);
-    return [
-      svg('line', { class: 'grid', x1: box.x, x2: box.x + box.width, y1: y, y2: y }),
-      svg('text', { x: box.x - 6, y, class: 'tick end' }, tickText(tick)),
-    ];
-  });
-}
 
 /** @param {Scale} across @param {Box} box */
 function evaluationTicks(across, box) {

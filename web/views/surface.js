@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The picture of the surface: hands meshes and shading to the scene, and turns keys into views of it.
+ * @file The picture of the surface: hands meshes and shading to the scene, and tells where it is looked at from.
  */
 import { quantityOf } from '../colour/quantities.js';
 import { drawing } from '../scene/drawing.js';
 import { createScene } from '../scene/scene.js';
 import { find, whenChanged } from './dom.js';
+import { listenToKeys } from './keys.js';
 
+/** @import {Camera} from '../address/camera.js' */
 /** @import {Quantity} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
 /** @import {Action, State, Surface} from '../state/types.js' */
-
-const TURN = Math.PI / 24;
-const ZOOM = 0.85;
 
 /**
  * @param {HTMLElement} root
@@ -25,7 +24,9 @@ export function createSurfaceView(root, dispatch) {
   const showCage = /** @type {HTMLInputElement} */ (find(root, '[name=show-cage]'));
   const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
   const speed = drawing();
-  const scene = speed === 'never' ? null : createScene(canvas, { calm, slow: speed === 'slow' });
+  /** @param {Camera} camera */
+  const rested = (camera) => dispatch({ type: 'viewChanged', change: { camera } });
+  const scene = speed === 'never' ? null : createScene(canvas, { calm, slow: speed === 'slow', rested });
   find(root, '.no-webgl').hidden = Boolean(scene);
   canvas.hidden = !scene;
 
@@ -34,28 +35,9 @@ export function createSurfaceView(root, dispatch) {
   });
   find(root, '#fit').addEventListener('click', () => dispatch({ type: 'fitPressed' }), { signal });
 
-  /** @type {Record<string, () => void>} */
-  const keys = {
-    ArrowLeft: () => scene?.controls.rotateLeft(TURN),
-    ArrowRight: () => scene?.controls.rotateLeft(-TURN),
-    ArrowUp: () => scene?.controls.rotateUp(TURN),
-    ArrowDown: () => scene?.controls.rotateUp(-TURN),
-    '+': () => scene?.controls.dollyIn(ZOOM),
-    '=': () => scene?.controls.dollyIn(ZOOM),
-    '-': () => scene?.controls.dollyOut(ZOOM),
-    f: () => dispatch({ type: 'fitPressed' }),
-  };
-  canvas.addEventListener(
-    'keydown',
-    (event) => {
-      const work = keys[event.key];
-      if (!work || event.ctrlKey || event.metaKey || event.altKey) return;
-      event.preventDefault();
-      work();
-    },
-    { signal },
-  );
+  listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal);
 
+  const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
   const setSurface = whenChanged((/** @type {Surface} */ surface) => scene?.setSurface(surface.limit));
   const setCage = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ visible) => {
     if (visible) scene?.setCage(surface.control);
@@ -67,24 +49,29 @@ export function createSurfaceView(root, dispatch) {
   const shade = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) =>
     scene?.shade(quantity, range),
   );
+  const recolour = whenChanged((/** @type {boolean} */ dark) =>
+    scene?.setLineColour(getComputedStyle(root).getPropertyValue('color')),
+  );
   let fits = 0;
 
   return {
-    /** @param {State} state @param {Range | null} range of the quantity that the surface is shaded by */
-    update(state, range) {
+    /**
+     * @param {State} state
+     * @param {Range | null} range of the quantity that the surface is shaded by
+     * @param {boolean} dark
+     */
+    update(state, range, dark) {
+      recolour(dark);
       if (!state.surface) return;
+      setCamera(state.view.camera);
       setUp(state.cage?.source.kind === 'generated');
       setSurface(state.surface);
       setCage(state.surface, state.view.cage);
       shade(quantityOf(state.view.shading), range);
       if (state.fits !== fits) {
-        scene?.fit(state.surface.limit.positions, fits === 0);
+        scene?.fit(state.surface.limit.positions);
         fits = state.fits;
       }
-    },
-    /** After a change of theme. */
-    recolour() {
-      scene?.setLineColour(getComputedStyle(root).getPropertyValue('color'));
     },
     dispose() {
       listening.abort();

@@ -133,7 +133,8 @@ function levelEnergy({ energy, energyReported }) {
 
 /** @param {LevelReport} report */
 function levelTitle({ unknowns, seconds, metrics, evaluable }) {
-  const facts = [counted(unknowns, 'unknown'), duration(seconds), `metric built ${counted(metrics, 'time')}`];
+  const facts = [counted(unknowns, 'unknown'), `metric built ${counted(metrics, 'time')}`];
+  if (Number.isFinite(seconds)) facts.splice(1, 0, duration(seconds));
   if (!evaluable) facts.push('prepares the first level that is evaluated on its own mesh');
   return facts.join(', ');
 }

@@ -9,6 +9,7 @@
  * @typedef {object} FunctionalWords
  * @property {FunctionalName} id
  * @property {string} name
+ * @property {string} short for sums of several
  * @property {string} formula
  * @property {string} taste one line: what its minimizers are like
  * @property {boolean} thirdOrder integrates curvature derivatives, and carries the factor area A
@@ -19,6 +20,7 @@ export const functionals = [
   {
     id: 'bending',
     name: 'Bending energy',
+    short: 'Bending',
     formula: '∫ κ₁² + κ₂² dA',
     taste: 'Penalizes curvature itself: round and economical.',
     thirdOrder: false,
@@ -26,6 +28,7 @@ export const functionals = [
   {
     id: 'willmore',
     name: 'Willmore energy',
+    short: 'Willmore',
     formula: '∫ H² dA',
     taste: 'A quarter of bending, up to a constant of the topology: the same minimizers.',
     thirdOrder: false,
@@ -33,6 +36,7 @@ export const functionals = [
   {
     id: 'mvs',
     name: 'Minimum variation (MVS)',
+    short: 'MVS',
     formula: 'A ∫ (dκ₁/de₁)² + (dκ₂/de₂)² dA',
     taste: 'Each principal curvature constant along its own line: spheres, tori and Dupin cyclides are free.',
     thirdOrder: true,
@@ -40,6 +44,7 @@ export const functionals = [
   {
     id: 'mvs_cross',
     name: 'MVS with cross terms',
+    short: 'MVS cross',
     formula: 'A ∫ |∇κ₁|² + |∇κ₂|² dA',
     taste: 'Both principal curvatures constant in every direction: only spheres are free.',
     thirdOrder: true,
@@ -47,6 +52,7 @@ export const functionals = [
   {
     id: 'mehlum_tarrou',
     name: 'Mehlum–Tarrou',
+    short: 'Mehlum–Tarrou',
     formula: 'A ∫ mean over directions of (dκₙ/ds)² dA',
     taste: 'The variation of normal curvature, averaged over all directions.',
     thirdOrder: true,
@@ -54,6 +60,7 @@ export const functionals = [
   {
     id: 'second_form_variation',
     name: 'Variation of the second form',
+    short: 'Second form',
     formula: 'A ∫ |∇II|² dA',
     taste: 'The covariant derivative of the second fundamental form: smooth even at umbilics.',
     thirdOrder: true,

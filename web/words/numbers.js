@@ -93,6 +93,18 @@ export function withError(value, error, digitsOfError) {
   return { value: fixed(value, decimals), error: fixed(error, decimals) };
 }
 
+/**
+ * A bound from above with `digits` significant digits, rounded upwards, so that it stays one.
+ * @param {number} value >= 0
+ * @param {number} [digits]
+ */
+export function upperBound(value, digits = 4) {
+  if (!(value > 0) || !Number.isFinite(value)) return significant(value, digits);
+  const rounded = Number(value.toPrecision(digits));
+  const unit = 10 ** (Math.floor(Math.log10(value)) + 1 - digits);
+  return significant(rounded < value ? rounded + unit : rounded, digits);
+}
+
 /** Whole numbers: 12 288. @param {number} value */
 export function whole(value) {
   return fixed(Math.round(value), 0);

@@ -9,9 +9,11 @@
 /** @import {Mesh, MinimizerOptions, Progress, StopReason} from '../../wasm/types.js' */
 
 /**
- * Where a cage comes from: the text of an OBJ or OFF file, or a generator's name and parameters.
- * @typedef {{kind: 'text', name: string, text: string | Uint8Array} | {kind: 'generated', name: string, family: 'hub'
- *   | 'flag', thickness: number}} Source
+ * Where a cage comes from: the text of an OBJ or OFF file; a generator's name and parameters; or such a cage refined `level`
+ * times, with the control points of the first vertex of each of its symmetry's orbits.
+ * @typedef {{name: string, family: 'hub' | 'flag', thickness: number}} Generator
+ * @typedef {{kind: 'text', name: string, text: string | Uint8Array} | ({kind: 'generated'} & Generator) | ({kind:
+ *   'minimizer', level: number, points: Float64Array} & Generator)} Source
  */
 
 /**

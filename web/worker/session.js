@@ -7,6 +7,7 @@
 import { createCertification } from './certification.js';
 import { MOVING_QUADS, RESTING_QUADS, SAVED_QUADS, densityFor } from './density.js';
 import { Occasion } from './occasion.js';
+import { cageFrom } from './sources.js';
 
 /** @import {Cage, Minimizer} from '../../wasm/umbilic.js' */
 /** @import {Command, Message, Open} from './protocol.js' */
@@ -43,6 +44,8 @@ export function createSession({ core, post, yieldThen, now }) {
   let ticking = false;
   /** Whether a run that has opened has told nothing more yet. */
   let introducing = false;
+  /** Whether it is a minimizer that has not been shown yet. */
+  let detailed = false;
   let levelsTold = 0;
   /** Of the surface that was told last: its level, faces of the mesh that it is evaluated on, and energy, if known. */
   let told = { level: -1, patches: 0, energy: NaN };
@@ -70,11 +73,7 @@ export function createSession({ core, post, yieldThen, now }) {
 
   /** @param {Open} command */
   function open(command) {
-    const { source } = command;
-    const cage =
-      source.kind === 'text'
-        ? core.Cage.read(source.text)
-        : core.Cage.generate(source.name, { family: source.family, thickness: source.thickness });
+    const { cage, counts } = cageFrom(core.Cage, command.source);
     try {
       const opened = new core.Minimizer(cage, command.options);
       certification.drop();
@@ -83,6 +82,7 @@ export function createSession({ core, post, yieldThen, now }) {
       run = command.run;
       pace = 'resting';
       introducing = true;
+      detailed = command.source.kind === 'minimizer';
       levelsTold = 0;
       told = { level: -1, patches: 0, energy: NaN };
       firstEnergy = NaN;
@@ -90,7 +90,7 @@ export function createSession({ core, post, yieldThen, now }) {
       measuredEvaluations = -1;
       samples = [];
       surfaceOccasion.postpone();
-      post({ type: 'opened', run, counts: cage.counts, group: opened.group });
+      post({ type: 'opened', run, counts, group: opened.group });
     } finally {
       cage.dispose();
     }
@@ -98,11 +98,17 @@ export function createSession({ core, post, yieldThen, now }) {
   }
 
   /**
-   * A cage that rests is shown finely; one that is to be minimized at once is not, because what moves comes sooner.
+   * A cage that rests is shown finely, a minimizer, which has many faces, coarsely before; one that is to be minimized at once is not,
+   * because what moves comes sooner.
    * @param {number} opened
    */
   function introduce(opened) {
     if (!introducing || run !== opened) return;
+    if (pace === 'resting' && detailed) {
+      detailed = false;
+      tellSurface(MOVING_QUADS);
+      return yieldThen(() => guard(opened, () => introduce(opened)));
+    }
     if (pace === 'resting') return tellRest();
     tellEnergies();
     surfaceOccasion.postpone();

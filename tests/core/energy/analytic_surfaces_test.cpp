@@ -4,15 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "energy/density_values.h"
 #include "energy/taylor.h"
 
 namespace umbilic::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 TaylorPoint torus(double major, double minor, const Taylor& u, const Taylor& v) {
   const Taylor radius = major + minor * cos(v);
@@ -100,33 +97,6 @@ TEST(Densities, of_an_ellipsoid_follow_from_its_support_function) {
     EXPECT_NEAR(values[kBending], 2 * (m * m + d * d), 1e-12 * m * m);
     EXPECT_NEAR(curvature(jet).p * curvature(jet).r - std::pow(curvature(jet).q, 2), gauss.c[0], 1e-12 * m * m);
     EXPECT_NEAR(values[kMvsCross], cross, 1e-10 * cross);
-  }
-}
-
-TEST(Densities, integrate_over_a_torus_to_the_closed_forms) {
-  // The trapezoidal rule on a period converges exponentially.
-  for (const double a : {0.2413, 0.5, 1 / std::sqrt(2.0)}) {
-    constexpr int kNodes = 200;
-    DensityValues sums{};
-    double area = 0;
-    for (int i = 0; i < kNodes; ++i) {
-      Parameters p{0.0, 2 * kPi * i / kNodes};
-      p.u.c[1] = p.v.c[2] = 1;
-      const Jet<double> jet = jet_of(torus(1, a, p.u, p.v));
-      const double measure = curvature(jet).area * 4 * kPi * kPi / kNodes;
-      const DensityValues values = densities(jet);
-      for (int f = 0; f < kFunctionalCount; ++f) sums[f] += measure * values[f];
-      area += measure;
-    }
-    const double bending = 4 * kPi * kPi / (a * std::sqrt(1 - a * a));
-    EXPECT_NEAR(area, 4 * kPi * kPi * a, 1e-12);
-    EXPECT_NEAR(sums[kBending], bending, 1e-11 * bending);
-    EXPECT_NEAR(sums[kWillmore], bending / 4, 1e-11 * bending) << "the integral of K vanishes";
-    EXPECT_NEAR(sums[kMvs] * area, 0, 1e-8);
-    const double cross = 8 * std::pow(kPi, 4) * std::pow(1 - a * a, -1.5);
-    EXPECT_NEAR(sums[kMvsCross] * area, cross, 1e-10 * cross);
-    EXPECT_NEAR(sums[kSecondFormVariation] * area, 3 * cross, 1e-10 * 3 * cross);
-    EXPECT_NEAR(sums[kMehlumTarrou] * area, 9 * cross / 16, 1e-10 * cross);
   }
 }
 

@@ -187,5 +187,38 @@ TEST(Coordinates, the_versions_in_place_give_the_same) {
   EXPECT_EQ(gradient, s.coordinates.pull_back(control));
 }
 
+TEST(Coordinates, are_determined_by_the_first_points_of_the_orbits) {
+  for (const Symmetric& cage : symmetric_cages()) {
+    const Points control = cage.coordinates.control(random_unknowns(cage.coordinates));
+    const Points firsts = cage.coordinates.orbit_points(control);
+    EXPECT_EQ(firsts.rows(), cage.coordinates.orbit_count());
+    // Sums of three products of numbers of size 1.
+    EXPECT_LT((cage.coordinates.control_from_orbits(firsts) - control).cwiseAbs().maxCoeff(), 1e-14) << cage.group.name;
+    const Coordinates free(cage.mesh.vertex_count());
+    EXPECT_EQ(free.control_from_orbits(free.orbit_points(control)), control);
+  }
+}
+
+TEST(Coordinates, have_the_first_points_of_the_orbits_in_the_order_of_the_vertices) {
+  for (const Symmetric& cage : symmetric_cages()) {
+    const Points firsts = cage.coordinates.orbit_points(cage.points);
+    std::vector<bool> seen(cage.mesh.vertex_count(), false);
+    int orbit = 0;
+    for (int v = 0; v < cage.mesh.vertex_count(); ++v) {
+      if (seen[v]) continue;
+      ASSERT_LT(orbit, firsts.rows());
+      EXPECT_EQ(firsts.row(orbit++), cage.points.row(v));
+      std::vector<int> reached{v};
+      for (std::size_t i = 0; i < reached.size(); ++i) {
+        if (seen[reached[i]]) continue;
+        seen[reached[i]] = true;
+        for (const Symmetry& g : cage.group.generators)
+          reached.push_back(image_of_vertex(cage.mesh, g.map, reached[i]));
+      }
+    }
+    EXPECT_EQ(orbit, firsts.rows());
+  }
+}
+
 }  // namespace
 }  // namespace umbilic::test

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Runs, certifies on the way, and judges.
+#include "catalog/entry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbilic {
+namespace {
+
+/// Relative error bars beyond this say no more than an upper bound does.
+constexpr double kWidestError = 0.1;
+
+/// Ends `run`, level by level. A level is certified when it has ended, before its surface is refined: on the last one
+/// of at most `certified_faces`.
+class Computation {
+ public:
+  Computation(Run run, const EntrySettings& settings) : run_(std::move(run)), settings_(settings) {}
+
+  /// False where `watch` ends it.
+  bool finish(const Watch& watch) {
+    while (run_.progress().phase != Phase::kDone) {
+      if (run_.progress().phase == Phase::kReport && certifiable() && !certify(watch)) return false;
+      run_.step(1);
+      if (!watch(run_)) return false;
+    }
+    if (certificate_ && !minimized(certificate_->level)) certificate_.reset();
+    return true;
+  }
+
+  const Run& run() const { return run_; }
+  const std::optional<CertificateReport>& certificate() const { return certificate_; }
+
+ private:
+  bool minimized(int number) const {
+    return std::any_of(run_.levels().begin(), run_.levels().end(), [&](const LevelReport& level) {
+      return level.level == number && (level.stop == StopReason::kConverged || level.stop == StopReason::kRoundOff);
+    });
+  }
+
+  bool certifiable() const {
+    if (!settings_.certified_faces) return false;
+    const int faces = run_.patches();
+    return faces <= *settings_.certified_faces &&
+           (4 * faces > *settings_.certified_faces || run_.progress().level == settings_.run.last_level);
+  }
+
+  bool certify(const Watch& watch) {
+    Result<Certificate> certificate = run_.certify();
+    if (!certificate) return true;
+    while (!certificate->step()) {
+      if (!watch(run_)) return false;
+    }
+    certificate_ = certificate->report();
+    return true;
+  }
+
+  Run run_;
+  const EntrySettings& settings_;
+  std::optional<CertificateReport> certificate_;
+};
+
+Result<Run> create_run(const CatalogShape& shape, const EntrySettings& settings, const CageOptions& options) {
+  const Result<Cage> cage = generate_cage(shape.generator, options);
+  if (!cage) return cage.error();
+  return Run::create(*cage, settings.run);
+}
+
+std::string reason_of(const LimitReport& limit, const std::vector<LevelReport>& levels) {
+  switch (limit.status) {
+    case LimitStatus::kConverging: return "";
+    case LimitStatus::kTooFewLevels: return "three levels are needed to tell a limit";
+    case LimitStatus::kNotMinimized:
+      for (const LevelReport& level : levels) {
+        if (level.stop != StopReason::kConverged) {
+          return fmt::format("level {} ended before it had converged ({})", level.level, name_of(level.stop));
+        }
+      }
+      return "a level ended before it had converged";
+    case LimitStatus::kNotConverging: {
+      const double last = levels.back().energy_reported, before = levels[levels.size() - 2].energy_reported;
+      return fmt::format("the levels are in no asymptotic range: the energy changes by {:.2g} % from level {} to {}",
+                         100 * (last - before) / before, levels[levels.size() - 2].level, levels.back().level);
+    }
+  }
+  return "";
+}
+
+void judge(Entry& entry) {
+  const double last = entry.levels.back().energy_reported;
+  entry.energy = last;
+  if (!std::isfinite(last)) {
+    entry.status = EntryStatus::kNoneFound;
+    entry.reason = "no surface of finite energy was found";
+  } else if (entry.exact && entry.exact->energy == 0) {
+    entry.status = EntryStatus::kZeroAttained;
+    entry.energy = 0;
+    entry.reason = "attained by " + entry.exact->source;
+  } else if (entry.exact && !entry.exact->attained) {
+    entry.status = EntryStatus::kInfimumNotAttained;
+    entry.energy = entry.exact->energy;
+    entry.reason = entry.exact->source;
+  } else if (entry.limit.status == LimitStatus::kConverging && entry.limit.error > kWidestError * last) {
+    entry.status = EntryStatus::kUpperBound;
+    entry.reason = fmt::format("the levels leave an error of {:.2g} %", 100 * entry.limit.error / last);
+  } else if (entry.limit.status == LimitStatus::kConverging) {
+    entry.status = EntryStatus::kConverged;
+    entry.energy = entry.limit.energy;
+    entry.error = entry.limit.error;
+  } else {
+    entry.status = EntryStatus::kUpperBound;
+    entry.reason = reason_of(entry.limit, entry.levels);
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(EntryStatus status) {
+  switch (status) {
+    case EntryStatus::kConverged: return "converged";
+    case EntryStatus::kUpperBound: return "upper_bound";
+    case EntryStatus::kZeroAttained: return "zero_attained";
+    case EntryStatus::kInfimumNotAttained: return "infimum_not_attained";
+    case EntryStatus::kNoneFound: return "none_found";
+  }
+  return "";
+}
+
+std::optional<Entry> compute_entry(const CatalogShape& shape, const CatalogFunctional& functional,
+                                   const EntrySettings& settings, const Watch& watch) {
+  Computation computation(create_run(shape, settings, settings.cage).value(), settings);
+  if (!computation.finish(watch)) return std::nullopt;
+  const Run& run = computation.run();
+  Entry entry;
+  entry.shape = shape;
+  entry.functional = functional;
+  entry.settings = settings;
+  entry.paper = paper_energy(shape, functional);
+  entry.exact = exact_energy(shape, functional);
+  entry.group = run.group();
+  entry.energies = run.energies();
+  entry.levels = run.levels();
+  entry.limit = run.limit();
+  entry.certificate = computation.certificate();
+  entry.orbit_points = run.orbit_points();
+  if (settings.second_family) {
+    CageOptions options = settings.cage;
+    options.family = *settings.second_family;
+    EntrySettings plain = settings;
+    plain.certified_faces.reset();
+    Computation other(create_run(shape, settings, options).value(), plain);
+    if (!other.finish(watch)) return std::nullopt;
+    entry.second = SecondFamily{options.family, other.run().limit(), other.run().levels()};
+  }
+  judge(entry);
+  return entry;
+}
+
+std::optional<StartResult> compute_start(const Start& start, const EntrySettings& settings, const Watch& watch) {
+  Computation computation(create_run(shape_called(start.shape), settings, settings.cage).value(), settings);
+  if (!computation.finish(watch)) return std::nullopt;
+  return StartResult{start, computation.run().levels().back()};
+}
+
+std::optional<bool> agree(const LimitReport& a, const LimitReport& b) {
+  if (a.status != LimitStatus::kConverging || b.status != LimitStatus::kConverging) return std::nullopt;
+  return std::abs(a.energy - b.energy) <= a.error + b.error;
+}
+
+}  // namespace umbilic

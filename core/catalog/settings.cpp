@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Levels, certificates and second families.
+#include "catalog/settings.h"
+
+#include <algorithm>
+
+#include "catalog/reference.h"
+
+namespace umbilic {
+namespace {
+
+/// Two seconds to ten.
+constexpr int kCertifiedFaces = 3100;
+
+/// Where the energy tends to 0, or along thinner and thinner tori.
+constexpr int kVanishingLevels = 2;
+constexpr int kVanishingIterations = 200;
+
+/// Caps over valences above twice this take half a minute, which only the principal functionals are worth.
+constexpr int kCheapArms = 6;
+
+/// Those whose minimizers are expected to converge, in the paper as well.
+bool principal(const CatalogFunctional& functional) {
+  return functional.name == "bending" || functional.name == "mvs_cross";
+}
+
+bool settles_slowly(const CatalogShape& shape) { return shape.junctions == 2 && shape.arms >= 6; }
+
+template <class Named>
+const Named& called(const std::vector<Named>& list, std::string_view name) {
+  return *std::find_if(list.begin(), list.end(), [&](const Named& item) { return item.name == name; });
+}
+
+}  // namespace
+
+EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional& functional, int last_level) {
+  EntrySettings settings;
+  settings.run.weights = functional.weights;
+  int levels = third_order(functional.weights) || settles_slowly(shape) ? 4 : 3;
+  const std::optional<ExactEnergy> exact = exact_energy(shape, functional);
+  if (exact && (!exact->attained || exact->energy == 0)) {
+    levels = kVanishingLevels;
+    settings.run.max_iterations = kVanishingIterations;
+  } else if (shape.arms <= kCheapArms || principal(functional)) {
+    settings.certified_faces = kCertifiedFaces;
+  }
+  settings.run.last_level = std::min(levels, last_level);
+  if (shape.frame() && principal(functional)) settings.second_family = FrameFamily::kHub;
+  return settings;
+}
+
+const std::vector<Start>& catalog_starts() {
+  static const std::vector<Start> starts = [] {
+    std::vector<Start> list;
+    for (const char* shape : {"two-3", "tetrahedron-frame"}) {
+      for (const char* functional : {"bending", "mvs_cross"}) {
+        for (const double thickness : {0.5, 1.0, 1.5}) list.push_back({shape, functional, thickness});
+      }
+    }
+    return list;
+  }();
+  return starts;
+}
+
+EntrySettings start_settings(const Start& start, int last_level) {
+  EntrySettings settings = entry_settings(shape_called(start.shape), functional_called(start.functional), last_level);
+  settings.run.last_level = std::min(settings.run.last_level, 3);
+  settings.cage.thickness = start.thickness;
+  settings.certified_faces.reset();
+  settings.second_family.reset();
+  return settings;
+}
+
+const CatalogShape& shape_called(std::string_view name) { return called(catalog_shapes(), name); }
+const CatalogFunctional& functional_called(std::string_view name) { return called(catalog_functionals(), name); }
+
+}  // namespace umbilic

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// `umbilic catalog`: computes the catalog, or computes it again and compares.
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "cage/text.h"
+#include "catalog/runner.h"
+#include "cli/arguments.h"
+#include "cli/catalog_folder.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+
+namespace umbilic {
+
+namespace {
+
+struct Arguments {
+  std::string folder;
+  std::set<std::string> shapes, functionals;  ///< empty: all
+  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  int last_level = kMostLevels;
+  bool anew = false;
+  bool check = false;
+  bool quiet = false;
+
+  bool wants(const std::string& shape, const std::string& functional) const {
+    return (shapes.empty() || shapes.contains(shape)) && (functionals.empty() || functionals.contains(functional));
+  }
+};
+
+/// The tasks of a command over one folder, their results, and what went wrong.
+class Session {
+ public:
+  Session(CatalogFolder folder, const Arguments& arguments) : folder_(std::move(folder)), arguments_(arguments) {}
+
+  int run() {
+    for (const CatalogShape& shape : catalog_shapes()) {
+      for (const CatalogFunctional& functional : catalog_functionals()) {
+        if (arguments_.wants(shape.name, functional.name)) add(shape, functional);
+      }
+    }
+    for (const Start& start : catalog_starts()) {
+      if (arguments_.wants(start.shape, start.functional)) add(start);
+    }
+    const InterruptWatch watch;
+    CatalogBar bar(arguments_.quiet);
+    const bool all = run_tasks(std::move(tasks_), arguments_.jobs, [&](const CatalogProgress& progress) {
+      bar.update(progress);
+      return !watch.interrupted() && !failed_;
+    });
+    if (failed_) return fail(kCannotWrite, error_);
+    if (!all && arguments_.check) return fail(kBadInput, "interrupted before all was compared");
+    if (!arguments_.check) return kEnded;
+    if (!print(fmt::format("{} compared, {} differ\n", compared_, different_))) return kCannotWrite;
+    return different_ > 0 ? kMismatch : kEnded;
+  }
+
+ private:
+  void add(const CatalogShape& shape, const CatalogFunctional& functional) {
+    const EntrySettings settings = entry_settings(shape, functional, arguments_.last_level);
+    if (!arguments_.check && !arguments_.anew && folder_.has(shape, functional, settings)) return;
+    tasks_.push_back({entry_name(shape, functional), cost_of(shape, settings), [=, this](const Watch& watch) {
+                        if (const auto entry = compute_entry(shape, functional, settings, watch)) take(*entry);
+                      }});
+  }
+
+  void add(const Start& start) {
+    const EntrySettings settings = start_settings(start, arguments_.last_level);
+    if (!arguments_.check && !arguments_.anew && folder_.has(start, settings)) return;
+    const std::string name = fmt::format("{}.{} from thickness {}", start.shape, start.functional, start.thickness);
+    tasks_.push_back({name, cost_of(shape_called(start.shape), settings), [=, this](const Watch& watch) {
+                        if (const auto result = compute_start(start, settings, watch)) take(*result);
+                      }});
+  }
+
+  void take(const Entry& entry) {
+    const std::lock_guard lock(mutex_);
+    if (!arguments_.check) return note(folder_.keep(entry));
+    const Json* stored = folder_.entry(entry.shape, entry.functional);
+    const std::string name = entry_name(entry.shape, entry.functional);
+    if (!stored) return compare(name, "it is not in the catalog");
+    std::string what = difference(*stored, json_of(entry));
+    if (what.empty()) {
+      const Result<Json> minimizer = folder_.minimizer(*stored);
+      what = minimizer ? misfit(*stored, *minimizer) : minimizer.error().message;
+    }
+    compare(name, what);
+  }
+
+  void take(const StartResult& result) {
+    const std::lock_guard lock(mutex_);
+    if (!arguments_.check) return note(folder_.keep(result));
+    const Json* stored = folder_.start(result.start);
+    const std::string name =
+        fmt::format("{}.{} from thickness {}", result.start.shape, result.start.functional, result.start.thickness);
+    compare(name, stored ? start_difference(*stored, json_of(result)) : "it is not in the catalog");
+  }
+
+  void note(const std::optional<Error>& error) {
+    if (!error || failed_) return;
+    failed_ = true;
+    error_ = error->message;
+  }
+
+  void compare(const std::string& name, const std::string& what) {
+    ++compared_;
+    if (what.empty()) return;
+    ++different_;
+    print(fmt::format("{}: {}\n", name, what));
+  }
+
+  CatalogFolder folder_;
+  const Arguments& arguments_;
+  std::vector<CatalogTask> tasks_;
+  std::mutex mutex_;  // for everything below, and for `folder_` while tasks run
+  std::atomic<bool> failed_ = false;
+  std::string error_;
+  int compared_ = 0, different_ = 0;
+};
+
+int run(const Arguments& arguments) {
+  Result<CatalogFolder> folder = CatalogFolder::open(arguments.folder);
+  if (!folder) return fail(kBadInput, folder.error().message);
+  return Session(std::move(folder).value(), arguments).run();
+}
+
+template <class Named>
+CLI::Validator known(const std::vector<Named>& list) {
+  return checked([&list](const std::string& name) -> Result<std::string> {
+    std::string names;
+    for (const Named& item : list) {
+      if (item.name == name) return name;
+      names += (names.empty() ? "" : ", ") + item.name;
+    }
+    return Error{fmt::format("{} is none of {}", in_quotes(name), names)};
+  });
+}
+
+}  // namespace
+
+void add_catalog_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("catalog", "Compute the minimizers of the catalog and their energies");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("--out", arguments->folder, "The catalog's folder: catalog.json and a file per minimizer")
+      ->type_name("DIR")
+      ->required();
+  command->add_option("--shape", arguments->shapes, "Only this shape; may be repeated [all]")
+      ->type_name("NAME")
+      ->check(known(catalog_shapes()));
+  command->add_option("--functional", arguments->functionals, "Only this functional; may be repeated [all]")
+      ->type_name("NAME")
+      ->check(known(catalog_functionals()));
+  const auto add_count = [&](const char* name, int& value, int least, int most, const char* type, const char* what) {
+    const auto parse = [least, most](const std::string& text) { return parse_count(text, least, most); };
+    command
+        ->add_option_function<std::string>(
+            name, [&value, parse](const std::string& text) { value = parse(text).value(); }, what)
+        ->type_name(type)
+        ->check(checked(parse));
+  };
+  add_count("--jobs", arguments->jobs, 1, 256, "N", "Entries computed at the same time [one per processor]");
+  add_count("--last-level", arguments->last_level, 0, kMostLevels, "L", "No level beyond L, for a quick look");
+  command->add_flag("--anew", arguments->anew, "Compute also what is there with the same settings and version");
+  command->add_flag("--check", arguments->check,
+                    "Compute everything again and compare instead of writing: exit code 1\nwhere an energy differs by "
+                    "more than rounding explains");
+  command->add_flag("-q,--quiet", arguments->quiet, "No progress on standard error");
+  command->footer("Ctrl-C keeps what is finished; the same command goes on from there.");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace umbilic

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// `umbilic torus`: the energies of tori of revolution in closed form, and the ratio that minimizes a blend.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "cage/text.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/json_report.h"
+#include "cli/version.h"
+#include "energy/torus.h"
+
+namespace umbilic {
+
+namespace {
+
+struct Arguments {
+  std::optional<double> ratio;
+  Objective objective;
+  bool json = false;
+};
+
+/// A line of the table.
+struct Row {
+  double ratio;  ///< 0: the limit of thin tori
+  std::string note;
+};
+
+constexpr double kTableStep = 0.05;
+constexpr int kTableRows = 19;
+
+/// The limits as the ratio tends to 0: bending and Willmore grow without bound.
+std::array<double, kFunctionalCount> energies_at(double ratio) {
+  if (ratio > 0) return torus_energies(ratio);
+  std::array<double, kFunctionalCount> limits = torus_energies(std::numeric_limits<double>::min());
+  limits[kBending] = limits[kWillmore] = std::numeric_limits<double>::infinity();
+  return limits;
+}
+
+std::vector<Row> rows_of(const Arguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
+  std::vector<Row> rows;
+  if (arguments.ratio) {
+    rows.push_back({*arguments.ratio, ""});
+  } else {
+    rows.push_back({0, "limit of thin tori, 8 pi^4 for mvs_cross"});
+    for (int i = 1; i <= kTableRows; ++i) rows.push_back({kTableStep * i, ""});
+    rows.push_back({std::numbers::sqrt2 / 2, "Clifford torus"});
+  }
+  if (minimizer && minimizer->attained && std::isfinite(minimizer->ratio)) {
+    rows.push_back({minimizer->ratio, "minimizes " + arguments.objective.words()});
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.ratio < b.ratio; });
+  return rows;
+}
+
+std::string minimizer_line(const TorusMinimizer& minimizer, const std::string& objective) {
+  if (std::isnan(minimizer.ratio)) return fmt::format("{} is {:.10g} on every torus\n", objective, minimizer.energy);
+  if (minimizer.attained) {
+    return fmt::format("{} is least, {:.12g}, at r/R = {:.12g}\n", objective, minimizer.energy, minimizer.ratio);
+  }
+  return fmt::format("{} has the infimum {:.12g} as r/R -> 0, which no torus attains\n", objective, minimizer.energy);
+}
+
+std::string table(const Arguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
+  std::string text = fmt::format("{:>8} {:>12} {:>12} {:>4} {:>14} {:>14} {:>22}\n", "r/R", "bending", "willmore",
+                                 "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation");
+  for (const Row& row : rows_of(arguments, minimizer)) {
+    const auto e = energies_at(row.ratio);
+    text += fmt::format("{:>8.4f} {:>12.8g} {:>12.8g} {:>4.8g} {:>14.10g} {:>14.10g} {:>22.10g}", row.ratio,
+                        e[kBending], e[kWillmore], e[kMvs], e[kMvsCross], e[kMehlumTarrou], e[kSecondFormVariation]);
+    text += row.note.empty() ? "\n" : fmt::format("  {}\n", row.note);
+  }
+  if (minimizer) text += minimizer_line(*minimizer, arguments.objective.words());
+  return text;
+}
+
+std::string json(const Arguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
+  Json report{{"version", std::string(version())}};
+  Json tori = Json::array();
+  for (const Row& row : rows_of(arguments, minimizer)) {
+    Json energies = Json::object();
+    const auto values = energies_at(row.ratio);
+    for (int f = 0; f < kFunctionalCount; ++f) energies[std::string(kFunctionalNames[f])] = values[f];
+    tori.push_back({{"ratio", row.ratio}, {"energies", energies}});
+  }
+  report["tori"] = tori;
+  if (minimizer) {
+    add_objective(report, arguments.objective);
+    report["minimizer"] = {
+        {"ratio", minimizer->ratio}, {"energy", minimizer->energy}, {"attained", minimizer->attained}};
+  }
+  return to_text(report);
+}
+
+int run(const Arguments& arguments) {
+  std::optional<TorusMinimizer> minimizer;
+  if (arguments.objective.weights != Weights{}) minimizer = torus_minimizer(arguments.objective.weights);
+  return print(arguments.json ? json(arguments, minimizer) : table(arguments, minimizer)) ? kEnded : kCannotWrite;
+}
+
+Result<double> parse_ratio(const std::string& text) {
+  const Result<double> number = parse_real(text);
+  if (number && (*number <= 0 || *number >= 1)) return Error{fmt::format("{} is not between 0 and 1", in_quotes(text))};
+  return number;
+}
+
+}  // namespace
+
+void add_torus_command(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("torus", "Print the exact energies of tori of revolution, and the ratio of least energy");
+  const auto arguments = std::make_shared<Arguments>();
+  command
+      ->add_option_function<std::string>(
+          "--ratio", [arguments](const std::string& text) { arguments->ratio = parse_ratio(text).value(); },
+          "Of this torus only: the tube's radius r over the radius R of its centre line")
+      ->type_name("A")
+      ->check(checked(parse_ratio));
+  add_objective_options(*command, arguments->objective);
+  add_json_flag(*command, arguments->json);
+  command->footer(functional_help());
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace umbilic

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Refines the connectivity and the symmetry of a cage, and places its points.
+#include "driver/symmetric_cage.h"
+
+#include <fmt/format.h>
+
+#include "driver/surface.h"
+#include "mesh/coordinates.h"
+
+namespace umbilic {
+
+Result<SymmetricCage> symmetric_cage(const Cage& cage, int level, const Points& orbit_points) {
+  if (level < 0) return Error{fmt::format("level {}: expected a number >= 0", level)};
+  Result<RefinedCage> prepared = prepare({cage, {}}, level, true);
+  if (!prepared) return prepared.error();
+  const RefinedCage refined = refine(std::move(prepared).value(), level);
+  const Coordinates coordinates(refined.mesh, refined.symmetry);
+  if (orbit_points.rows() != coordinates.orbit_count()) {
+    return Error{fmt::format("{} points: expected {}, one for each orbit of vertices at level {}", orbit_points.rows(),
+                             coordinates.orbit_count(), level)};
+  }
+  for (Eigen::Index i = 0; i < orbit_points.rows(); ++i) {
+    if (!orbit_points.row(i).allFinite()) return Error{fmt::format("point {} is not finite", i + 1)};
+  }
+  return SymmetricCage{to_cage(refined.mesh, coordinates.control_from_orbits(orbit_points)), refined.symmetry};
+}
+
+}  // namespace umbilic

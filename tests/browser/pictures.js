@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Pictures of parts of a page, and how far two of them are apart.
+ */
+
+/** @typedef {import('playwright-core').Locator} Locator */
+/** @typedef {import('playwright-core').Page} Page */
+
+/** Waits until what is drawn is that of now. @param {Page} page */
+async function settled(page) {
+  await page.waitForFunction(() => document.querySelector('canvas')?.dataset.picture === 'fine');
+}
+
+/**
+ * @param {Page} page
+ * @param {Locator} part
+ * @returns {Promise<string>} PNG, in base 64
+ */
+export async function pictureOf(page, part) {
+  await settled(page);
+  return (await part.screenshot()).toString('base64');
+}
+
+/**
+ * The part of all pixels whose colours differ visibly; 1 where sizes differ.
+ * @param {Page} page any; it only does the arithmetic
+ * @param {string} a
+ * @param {string} b
+ */
+export function difference(page, a, b) {
+  return page.evaluate(
+    async (pictures) => {
+      const [one, other] = await Promise.all(
+        pictures.map(async (encoded) => {
+          const response = await fetch(`data:image/png;base64,${encoded}`);
+          const bitmap = await createImageBitmap(await response.blob());
+          const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+          const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
+          context.drawImage(bitmap, 0, 0);
+          return context.getImageData(0, 0, bitmap.width, bitmap.height);
+        }),
+      );
+      if (one.width !== other.width || one.height !== other.height) return 1;
+      let different = 0;
+      for (let i = 0; i < one.data.length; i += 4) {
+        if ([0, 1, 2].some((k) => Math.abs(one.data[i + k] - other.data[i + k]) > 16)) different++;
+      }
+      return (4 * different) / one.data.length;
+    },
+    [a, b],
+  );
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The catalog's command: computed, resumed, compared; and the committed catalog, whose cheap entries are computed anew.
+ */
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { readFileSync, readdirSync, statSync } from 'node:fs';
+import path from 'node:path';
+import { root, scratchFolder, umbilic } from './program.js';
+
+const scratch = scratchFolder();
+afterAll(scratch.dispose);
+
+const few = [
+  '--last-level',
+  '1',
+  '--shape',
+  'two-3',
+  '--functional',
+  'bending',
+  '--functional',
+  'mvs_cross',
+  '--quiet',
+];
+/** @param {string} folder @param {...string} args */
+const catalog = (folder, ...args) => umbilic(['catalog', '--out', folder, ...few, ...args], { folder: scratch.folder });
+const stored = () => JSON.parse(scratch.read('a/catalog.json'));
+
+beforeAll(() => expect(catalog('a', '--jobs', '2')).toMatchObject({ code: 0, out: '', err: '' }));
+
+describe('a catalog', () => {
+  test('has an entry for each shape and functional, a file with its points, and the thin and fat starts', () => {
+    const { shapes, functionals, entries, starts } = stored();
+    expect([shapes.length, functionals.length]).toEqual([12, 6]);
+    expect(entries.map((/** @type {any} */ e) => [e.shape, e.functional, e.status])).toEqual([
+      ['two-3', 'bending', 'upper_bound'],
+      ['two-3', 'mvs_cross', 'upper_bound'],
+    ]);
+    for (const entry of entries) {
+      const { points, ...rest } = JSON.parse(scratch.read(`a/${entry.minimizer}`));
+      const cage = { generator: 'two-3', family: 'flag', thickness: 1 };
+      expect(rest).toEqual({ shape: 'two-3', functional: entry.functional, cage, level: 1, group: 'D3h' });
+      expect(points.length % 3).toBe(0);
+      expect(entry.levels.map((/** @type {any} */ level) => level.seconds)).toEqual([undefined, undefined]);
+      expect(entry.energies.gaussian).toBeCloseTo(-4 * Math.PI, 1);
+    }
+    expect(starts.map((/** @type {any} */ s) => `${s.functional} ${s.thickness} ${s.level}`)).toEqual(
+      ['bending', 'mvs_cross'].flatMap((name) => [0.5, 1, 1.5].map((thickness) => `${name} ${thickness} 1`)),
+    );
+  });
+
+  test('has the same bytes from one job and from two', () => {
+    expect(catalog('b', '--jobs', '1').code).toBe(0);
+    const names = readdirSync(scratch.path('a'));
+    expect(readdirSync(scratch.path('b'))).toEqual(names);
+    for (const name of names) expect(scratch.read(`b/${name}`)).toBe(scratch.read(`a/${name}`));
+  });
+
+  test('is not computed again but for what is missing', () => {
+    const time = (/** @type {string} */ name) => statSync(scratch.path(`a/${name}`)).mtimeMs;
+    const before = [time('catalog.json'), time('two-3.bending.json')];
+    expect(catalog('a').code).toBe(0);
+    expect([time('catalog.json'), time('two-3.bending.json')]).toEqual(before);
+    scratch.write('a/two-3.mvs_cross.json', '{');
+    expect(catalog('a').code).toBe(0);
+    expect(scratch.read('a/two-3.mvs_cross.json')).toBe(scratch.read('b/two-3.mvs_cross.json'));
+    expect(time('two-3.bending.json')).toBe(before[1]);
+  });
+
+  test('agrees with itself, and not with numbers that were changed', () => {
+    expect(catalog('a', '--check')).toMatchObject({ code: 0, out: '8 compared, 0 differ\n' });
+    const changed = stored();
+    changed.entries[0].levels[1].energy_reported *= 1.001;
+    scratch.write('b/catalog.json', JSON.stringify(changed));
+    const { code, out } = catalog('b', '--check', '--functional', 'bending');
+    expect(code).toBe(1);
+    expect(out).toMatch(/^two-3\.bending: \S+ was \S+, 1\.0e-03 off, more than 1e-05$/m);
+    expect(out).toMatch(/ compared, 1 differ\n$/);
+  });
+
+  test('refuses names that it does not know, and a catalog that is no JSON', () => {
+    const unknown = umbilic(['catalog', '--out', 'c', '--shape', 'two-13'], { folder: scratch.folder });
+    expect(unknown.code).toBe(2);
+    expect(unknown.err).toContain("'two-13' is none of two-3, two-4, tetrahedron-frame");
+    scratch.write('b/catalog.json', '{');
+    const broken = catalog('b');
+    expect(broken.code).toBe(3);
+    expect(broken.err).toContain('catalog.json is not JSON');
+  });
+});
+
+describe('the committed catalog', () => {
+  const folder = path.join(root, 'web/catalog');
+  const committed = JSON.parse(readFileSync(path.join(folder, 'catalog.json'), 'utf8'));
+
+  test('has every entry, with its file', () => {
+    const { shapes, functionals, entries } = committed;
+    expect(entries.map((/** @type {any} */ e) => `${e.shape}.${e.functional}`)).toEqual(
+      shapes.flatMap((/** @type {any} */ s) => functionals.map((/** @type {any} */ f) => `${s.name}.${f.name}`)),
+    );
+    const files = readdirSync(folder).filter((name) => name.endsWith('.json') && name !== 'catalog.json');
+    const named = entries.map((/** @type {any} */ e) => e.minimizer).filter(Boolean);
+    expect(files.sort()).toEqual(named.sort());
+    const bytes = [...files, 'catalog.json'].reduce((sum, name) => sum + statSync(path.join(folder, name)).size, 0);
+    expect(bytes).toBeLessThan(6e6);
+  });
+
+  test('is what the program computes: its cheap entries, from nothing', () => {
+    const cheap = ['--shape', 'sphere', '--shape', 'torus', '--functional', 'bending', '--functional', 'mvs_cross'];
+    for (const args of [cheap, ['--shape', 'two-3', '--functional', 'bending']]) {
+      const { code, out } = umbilic(['catalog', '--out', folder, '--check', '--quiet', ...args]);
+      expect({ code, out }).toMatchObject({ code: 0, out: expect.stringMatching(/^\d+ compared, 0 differ\n$/) });
+    }
+  });
+});

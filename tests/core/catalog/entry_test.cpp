@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Entries: their status, and how they are stored and compared.
+#include "catalog/entry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "catalog/catalog_json.h"
+
+namespace umbilic {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Entry entry(const char* shape, const char* functional, int last_level) {
+  const CatalogShape& row = shape_called(shape);
+  const CatalogFunctional& column = functional_called(functional);
+  return *compute_entry(row, column, entry_settings(row, column, last_level), [](const umbilic::Run&) { return true; });
+}
+
+TEST(CatalogEntry, of_the_spheres_bending_converges_to_8_pi) {
+  const Entry sphere = entry("sphere", "bending", 3);
+  EXPECT_EQ(sphere.status, EntryStatus::kConverged);
+  EXPECT_NEAR(sphere.energy, 8 * kPi, *sphere.error);
+  EXPECT_LT(*sphere.error, 1e-3 * sphere.energy);
+  EXPECT_EQ(sphere.exact->energy, 8 * kPi);
+  EXPECT_TRUE(sphere.reason.empty());
+  EXPECT_EQ(sphere.certificate->negative, 0);
+}
+
+TEST(CatalogEntry, of_an_infimum_that_is_known_has_no_error_but_a_reason) {
+  const Entry sphere = entry("sphere", "mvs_cross", 1);
+  EXPECT_EQ(sphere.status, EntryStatus::kZeroAttained);
+  EXPECT_EQ(sphere.energy, 0);
+  const Entry torus = entry("torus", "mvs_cross", 1);
+  EXPECT_EQ(torus.status, EntryStatus::kInfimumNotAttained);
+  EXPECT_NEAR(torus.energy, 8 * std::pow(kPi, 4), 1e-9);
+  EXPECT_GT(torus.levels.back().energy_reported, torus.energy);
+  for (const Entry& e : {sphere, torus}) {
+    EXPECT_FALSE(e.error);
+    EXPECT_FALSE(e.reason.empty());
+    EXPECT_FALSE(e.certificate) << "there is no minimum near it";
+  }
+}
+
+TEST(CatalogEntry, of_too_few_levels_is_an_upper_bound) {
+  const Entry frame = entry("two-3", "bending", 1);
+  EXPECT_EQ(frame.status, EntryStatus::kUpperBound);
+  EXPECT_EQ(frame.energy, frame.levels.back().energy_reported);
+  EXPECT_GT(frame.energy, frame.exact->energy);
+  EXPECT_EQ(frame.group.name, "D3h");
+  EXPECT_EQ(frame.second->family, FrameFamily::kHub);
+  EXPECT_EQ(frame.second->levels.size(), 2u);
+}
+
+TEST(CatalogEntry, is_computed_to_the_same_digits_again_and_its_file_holds_its_surface) {
+  for (const char* functional : {"bending", "mvs"}) {
+    const Entry first = entry("two-3", functional, 1);
+    const Json stored = json_of(first), minimizer = minimizer_json(first);
+    const Entry second = entry("two-3", functional, 1);
+    EXPECT_EQ(json_of(second).dump(), stored.dump());
+    EXPECT_EQ(minimizer_json(second).dump(), minimizer.dump());
+    EXPECT_EQ(difference(stored, json_of(second)), "");
+    EXPECT_EQ(misfit(Json::parse(stored.dump()), Json::parse(minimizer.dump())), "");
+  }
+}
+
+TEST(CatalogEntry, differs_from_one_that_is_off_by_more_than_rounding_explains) {
+  const Entry sphere = entry("sphere", "bending", 2);
+  const Json right = json_of(sphere);
+  Json wrong = right;
+  wrong["levels"][2]["energy_reported"] = 1.0001 * sphere.levels[2].energy_reported;
+  EXPECT_NE(difference(wrong, right).find("1.0e-04 off"), std::string::npos) << difference(wrong, right);
+  wrong = right;
+  wrong["status"] = "none_found";
+  EXPECT_EQ(difference(wrong, right), "was none_found, is upper_bound");
+
+  Json minimizer = minimizer_json(sphere);
+  minimizer["points"][5] = minimizer["points"][5].get<double>() + 1e-3;
+  EXPECT_NE(misfit(right, minimizer).find("of the stored surface"), std::string::npos);
+  minimizer["points"].erase(0);
+  EXPECT_EQ(misfit(right, minimizer), "its points have not three coordinates each");
+}
+
+TEST(CatalogEntry, ends_where_it_is_asked_to) {
+  const CatalogShape& shape = shape_called("two-3");
+  const CatalogFunctional& functional = functional_called("mvs_cross");
+  int units = 0;
+  EXPECT_FALSE(compute_entry(shape, functional, entry_settings(shape, functional, 2),
+                             [&](const umbilic::Run&) { return ++units < 30; }));
+  EXPECT_EQ(units, 30);
+}
+
+TEST(CatalogEntry, of_two_families_agree_where_their_error_bars_overlap) {
+  const LimitReport a{LimitStatus::kConverging, 10, 2, 1}, near{LimitStatus::kConverging, 11.5, 2, 0.6},
+      far{LimitStatus::kConverging, 11.7, 2, 0.6}, none{LimitStatus::kNotConverging, 10, 2, NAN};
+  EXPECT_EQ(agree(a, near), true);
+  EXPECT_EQ(agree(far, a), false);
+  EXPECT_EQ(agree(a, none), std::nullopt);
+}
+
+}  // namespace
+}  // namespace umbilic

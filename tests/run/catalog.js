@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file `npm run catalog`: builds the program and computes web/catalog, what is missing of it (`-- --anew`: all of it); `-- --check` computes
+ * everything again and compares. All options of `umbilic catalog` may follow. `npm run catalog -- readme` puts its tables into the README.
+ */
+import { readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { replaceBetween } from './bench/tables.js';
+import { build } from './build.js';
+import { catalogSection } from './catalog/section.js';
+import { installPackages, installTools } from './install.js';
+import { root, run } from './process.js';
+
+const folder = 'web/catalog';
+const args = process.argv.slice(2);
+
+if (args.join() === 'readme') {
+  const readme = path.join(root, 'README.md');
+  const catalog = JSON.parse(readFileSync(path.join(root, folder, 'catalog.json'), 'utf8'));
+  const text = replaceBetween(
+    readFileSync(readme, 'utf8'),
+    '<!-- catalog: begin -->',
+    '<!-- catalog: end -->',
+    `\n${catalogSection(catalog)}`,
+  );
+  writeFileSync(readme, text);
+} else {
+  if (!(await installTools('native')) || !(await installPackages())) process.exit(1);
+  if (!(await build('native', 'umbilic'))) process.exit(1);
+  process.exitCode = await run('build/native/umbilic', ['catalog', '--out', folder, ...args]);
+}

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the README says of the catalog, all of it from its numbers: the paper's tables beside ours, and whether its claims hold.
+ */
+import { markdownTable } from '../bench/tables.js';
+
+/** @typedef {import('../bench/tables.js').Table} Table */
+/**
+ * @typedef {object} Entry
+ * @property {string} shape
+ * @property {string} functional
+ * @property {string} status
+ * @property {number} energy
+ * @property {number | null} error
+ * @property {number | null} paper
+ * @property {number | null} exact
+ * @property {string} [exact_source]
+ * @property {{name: string}} group
+ * @property {{level: number, negative: number} | null} certificate
+ * @property {{energy: number, error: number | null, agrees: boolean | null} | null} second_family
+ */
+/** @typedef {{name: string, genus: number, junctions: number, arms: number}} Shape */
+/** @typedef {{shape: string, functional: string, thickness: number, energy: number, level: number, stop: string}} Start */
+/** @typedef {{shapes: Shape[], functionals: {name: string}[], entries: Entry[], starts: Start[]}} Catalog */
+
+/** Two digits of the error, and as many of the value. @param {number} value @param {number} error */
+function withError(value, error) {
+  const places = Math.min(12, Math.max(0, 1 - Math.floor(Math.log10(error))));
+  return `${value.toFixed(places)} ± ${error.toFixed(places)}`;
+}
+
+/** Four digits. @param {number} value */
+const short = (value) => (value >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(4))));
+
+/** @param {Entry | undefined} entry */
+export function energyWords(entry) {
+  if (!entry) return '';
+  if (entry.status === 'converged' && entry.error !== null) return withError(entry.energy, entry.error);
+  if (entry.status === 'zero_attained') return '0';
+  if (entry.status === 'infimum_not_attained') return `→ ${short(entry.energy)}`;
+  return entry.status === 'none_found' ? 'none' : `≤ ${short(entry.energy)}`;
+}
+
+/** @param {Catalog} catalog */
+function lookup({ entries }) {
+  /** @param {string} shape @param {string} functional */
+  return (shape, functional) => entries.find((e) => e.shape === shape && e.functional === functional);
+}
+
+/** @param {number} share */
+const percent = (share) => `${share >= 0 ? '+' : '−'}${Math.abs(100 * share).toFixed(Math.abs(share) < 0.1 ? 1 : 0)} %`;
+
+/** Table 1, cell by cell. @param {Catalog} catalog @returns {Table[]} */
+function tableOne(catalog) {
+  const find = lookup(catalog);
+  return ['bending', 'mvs_cross', 'mvs'].map((functional) => ({
+    title: `\`${functional}\`, Table 1 of the paper:`,
+    head: [
+      'genus',
+      'shape',
+      'group',
+      'ours',
+      'paper',
+      'ours / paper',
+      ...(functional === 'bending' ? ['exact'] : ['2 paper / ours']),
+    ],
+    rows: catalog.shapes.flatMap(({ name, genus }) => {
+      const entry = find(name, functional);
+      if (!entry?.paper) return [];
+      const last =
+        functional === 'bending'
+          ? (entry.exact?.toFixed(entry.exact > 150 ? 3 : 4) ?? '')
+          : ((2 * entry.paper) / entry.energy).toFixed(3);
+      return [
+        [genus, name, entry.group.name, energyWords(entry), entry.paper, (entry.energy / entry.paper).toFixed(4), last],
+      ];
+    }),
+  }));
+}
+
+/** Everything. @param {Catalog} catalog @returns {Table} */
+function allEnergies(catalog) {
+  const find = lookup(catalog);
+  return {
+    title:
+      'All of it; ± is the error bar of a limit, ≤ an upper bound that does not converge, → an infimum that is not attained:',
+    head: ['genus', 'shape', ...catalog.functionals.map(({ name }) => `\`${name}\``)],
+    rows: catalog.shapes.map(({ name, genus }) => [
+      genus,
+      name,
+      ...catalog.functionals.map((functional) => energyWords(find(name, functional.name))),
+    ]),
+  };
+}
+
+/** Tables 2 and 3. @param {Catalog} catalog @param {number} arms @returns {Table} */
+function perJunction(catalog, arms) {
+  const find = lookup(catalog);
+  return {
+    title: `\`mvs_cross\` per ${arms}-way junction, Table ${arms - 1} of the paper:`,
+    head: ['shape', 'junctions', 'ours per junction', 'paper per junction'],
+    rows: catalog.shapes.flatMap(({ name, junctions, arms: n }) => {
+      const entry = n === arms && find(name, 'mvs_cross');
+      if (!entry) return [];
+      const ours =
+        entry.error === null
+          ? `≤ ${short(entry.energy / junctions)}`
+          : withError(entry.energy / junctions, entry.error / junctions);
+      return [[name, junctions, ours, entry.paper ? short(entry.paper / junctions) : '']];
+    }),
+  };
+}
+
+/**
+ * Of shapes of one genus, whether more junctions of fewer arms cost less.
+ * @param {Catalog} catalog
+ * @returns {Table}
+ */
+function preferences(catalog) {
+  const find = lookup(catalog);
+  const cost = (/** @type {Shape} */ shape) => find(shape.name, 'mvs_cross')?.energy ?? NaN;
+  const rows = catalog.shapes.flatMap((few, i) =>
+    catalog.shapes
+      .slice(i + 1)
+      .filter((many) => many.genus === few.genus && many.arms < few.arms && many.junctions > 0)
+      .map((many) => [
+        few.genus,
+        `${few.junctions} × ${few.arms}-way, ${few.name}`,
+        short(cost(few)),
+        `${many.junctions} × ${many.arms}-way, ${many.name}`,
+        short(cost(many)),
+        cost(many) < cost(few) ? 'yes' : 'no',
+      ]),
+  );
+  return {
+    title: 'Whether `mvs_cross` prefers more junctions of fewer arms at the same genus:',
+    head: ['genus', 'few', 'energy', 'many', 'energy', 'prefers many'],
+    rows,
+  };
+}
+
+/** The other family. @param {Catalog} catalog @returns {Table} */
+function families(catalog) {
+  return {
+    title: 'The same shape from two families of cages:',
+    head: ['shape', 'functional', 'flag cage', 'hub cage', 'difference', 'bars overlap'],
+    rows: catalog.entries.flatMap((entry) => {
+      const other = entry.second_family;
+      if (!other) return [];
+      const words = other.error === null ? `≤ ${short(other.energy)}` : withError(other.energy, other.error);
+      const agrees = other.agrees === null ? '' : other.agrees ? 'yes' : 'no';
+      return [
+        [entry.shape, entry.functional, energyWords(entry), words, percent(other.energy / entry.energy - 1), agrees],
+      ];
+    }),
+  };
+}
+
+/** Figure 3. @param {Catalog} catalog @returns {Table} */
+function starts(catalog) {
+  const keys = [...new Set(catalog.starts.map((s) => `${s.shape} ${s.functional} ${s.level}`))];
+  return {
+    title: "Thin and fat starts (the paper's figure 3), energies at the end of the level:",
+    head: ['shape', 'functional', 'level', 'from thickness 0.5', '1', '1.5', 'spread'],
+    rows: keys.map((key) => {
+      const same = catalog.starts.filter((s) => `${s.shape} ${s.functional} ${s.level}` === key);
+      const energies = same.map((s) => s.energy);
+      const spread = Math.max(...energies) / Math.min(...energies) - 1;
+      return [...key.split(' '), ...energies.map((e) => e.toPrecision(8)), spread.toExponential(1)];
+    }),
+  };
+}
+
+/** @param {Catalog} catalog @returns {Table} */
+function certificates(catalog) {
+  const find = lookup(catalog);
+  return {
+    title:
+      'Directions that lower the energy of the minimizer once it may leave its symmetry (and the level they were counted at):',
+    head: ['shape', ...catalog.functionals.map(({ name }) => `\`${name}\``)],
+    rows: catalog.shapes.map(({ name }) => [
+      name,
+      ...catalog.functionals.map((functional) => {
+        const certificate = find(name, functional.name)?.certificate;
+        return certificate ? `${certificate.negative} (${certificate.level})` : '';
+      }),
+    ]),
+  };
+}
+
+/** @param {number[]} values */
+const range = (values) => `${Math.min(...values).toPrecision(3)} to ${Math.max(...values).toPrecision(3)}`;
+
+/**
+ * The paper's section 4.3: costs per junction, and which junctions are cheaper.
+ * @param {Catalog} catalog
+ * @returns {string[]} sentences
+ */
+function claims(catalog) {
+  const find = lookup(catalog);
+  /** @param {...string} names */
+  const costs = (...names) =>
+    catalog.shapes
+      .filter(({ name }) => names.includes(name) && find(name, 'mvs_cross'))
+      .map(({ name, junctions }) => (find(name, 'mvs_cross')?.energy ?? NaN) / junctions);
+  const symmetric = costs('two-3', 'tetrahedron-frame', 'cube-frame', 'dodecahedron-frame');
+  const others = costs('hexagonal-prism-frame', 'truncated-tetrahedron-frame');
+  const four = costs('two-4', 'octahedron-frame');
+  const all = [...symmetric, ...others];
+  if (!symmetric.length || !others.length || !four.length) return [];
+  const growth = Math.max(...all) / Math.min(...all);
+  const cheaper = Math.max(...symmetric) < Math.min(...others);
+  return [
+    `A 3-way junction costs ${range(all)} in \`mvs_cross\`, a 4-way one ${range(four)}. That the energy is roughly proportional to the number of junctions ${growth < 1.5 ? 'holds' : 'does not hold'} for 3-way ones: their costs differ by a factor of ${growth.toFixed(2)} while the number of junctions grows from 2 to 20.`,
+    `Symmetric junctions (${range(symmetric)}) are ${cheaper ? '' : 'not all '}cheaper than those of the hexagonal prism and the truncated tetrahedron (${range(others)}), ${cheaper ? 'as the paper says' : 'unlike what the paper says'}.`,
+  ];
+}
+
+/**
+ * Whether the paper's columns could be half of what is integrated here: doubled, they are upper bounds.
+ * @param {Catalog} catalog
+ * @returns {string[]} sentences
+ */
+function halved(catalog) {
+  const find = lookup(catalog);
+  /** @param {string} functional @param {(shape: Shape) => boolean} wanted */
+  const doubled = (functional, wanted) =>
+    catalog.shapes.filter(wanted).flatMap(({ name }) => {
+      const entry = find(name, functional);
+      return entry?.paper ? [(2 * entry.paper) / entry.energy] : [];
+    });
+  const polyhedra = doubled('mvs_cross', ({ junctions }) => junctions > 2);
+  const pairs = doubled('mvs_cross', ({ junctions }) => junctions === 2);
+  const mvs = doubled('mvs', ({ junctions }) => junctions > 0);
+  if (!polyhedra.length || !pairs.length || !mvs.length) return [];
+  const list = pairs.map((ratio) => ratio.toFixed(2)).join(', ');
+  return [
+    `Twice the paper's \`mvs_cross\` is ${range(polyhedra)} times ours for polyhedral frames, and ${list} times for two junctions with more and more arms; twice its \`mvs\` is ${range(mvs)} times ours.`,
+  ];
+}
+
+/** @param {Catalog} catalog @returns {string} Markdown */
+export function catalogSection(catalog) {
+  const parts = [
+    ...tableOne(catalog).map(markdownTable),
+    ...halved(catalog).map((sentence) => `${sentence}\n`),
+    ...[perJunction(catalog, 3), perJunction(catalog, 4)].map(markdownTable),
+    ...claims(catalog).map((sentence) => `${sentence}\n`),
+    ...[preferences, families, starts, allEnergies, certificates].map((table) => markdownTable(table(catalog))),
+  ];
+  return parts.join('\n');
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The catalog's tables, of a small catalog whose numbers are known.
+ */
+import { describe, expect, test } from '@jest/globals';
+import { catalogSection, energyWords } from './section.js';
+
+const shapes = [
+  { name: 'two-4', genus: 3, junctions: 2, arms: 4 },
+  { name: 'tetrahedron-frame', genus: 3, junctions: 4, arms: 3 },
+];
+/** @param {string} shape @param {string} functional @param {number} energy @param {object} [more] */
+const entry = (shape, functional, energy, more) => ({
+  shape,
+  functional,
+  status: 'converged',
+  energy,
+  error: energy / 100,
+  paper: null,
+  exact: null,
+  group: { name: 'D4h' },
+  certificate: null,
+  second_family: null,
+  ...more,
+});
+const catalog = {
+  shapes,
+  functionals: [{ name: 'bending' }, { name: 'mvs_cross' }],
+  entries: [
+    entry('two-4', 'bending', 142, { paper: 142, exact: 141.5466, certificate: { level: 2, negative: 0 } }),
+    entry('two-4', 'mvs_cross', 9000, { paper: 6000, second_family: { energy: 9090, error: 90, agrees: true } }),
+    entry('tetrahedron-frame', 'mvs_cross', 8000, { paper: 4000 }),
+  ],
+  starts: [0.5, 1, 1.5].map((thickness) => ({ shape: 'two-4', functional: 'mvs_cross', thickness, energy: 9000 + thickness, level: 3, stop: 'converged' })), // prettier-ignore
+};
+
+describe('the energy of an entry', () => {
+  const words = (/** @type {object} */ more) => energyWords(entry('two-4', 'bending', 1234.5, more));
+  test('has two digits of its error', () => {
+    expect(words({ error: 0.123 })).toBe('1234.50 ± 0.12');
+    expect(words({ error: 12 })).toBe('1235 ± 12');
+    expect(words({ error: 0.0096 })).toBe('1234.5000 ± 0.0096');
+  });
+  test('says what else it is', () => {
+    expect(words({ status: 'upper_bound', error: null })).toBe('≤ 1235');
+    expect(words({ status: 'infimum_not_attained', error: null, energy: 779.27 })).toBe('→ 779.3');
+    expect(words({ status: 'zero_attained', error: null, energy: 0 })).toBe('0');
+  });
+});
+
+describe('the section', () => {
+  const lines = catalogSection(catalog).split('\n');
+  test.each([
+    ['the paper beside ours, and what is exact', '| 3 | two-4 | D4h | 142.0 ± 1.4 | 142 | 1.0000 | 141.5466 |'],
+    ['twice the paper over ours', '| 3 | tetrahedron-frame | D4h | 8000 ± 80 | 4000 | 2.0000 | 1.000 |'],
+    ['the cost of a junction', '| tetrahedron-frame | 4 | 2000 ± 20 | 1000 |'],
+    ['what is preferred', '| 3 | 2 × 4-way, two-4 | 9000 | 4 × 3-way, tetrahedron-frame | 8000 | yes |'],
+    ['the other family', '| two-4 | mvs_cross | 9000 ± 90 | 9090 ± 90 | +1.0 % | yes |'],
+    ['the starts', '| two-4 | mvs_cross | 3 | 9000.5000 | 9001.0000 | 9001.5000 | 1.1e-4 |'],
+    ['certificates', '| two-4 | 0 (2) |  |'],
+  ])('has %s', (_, line) => expect(lines).toContain(line));
+});

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Draws catalog entries with the page's own renderer, a row at a time: one light, one view and one colour scale for all of a row.
+ * Each surface fills the canvas.
+ */
+import { Vector3 } from 'three';
+import { Cage, Minimizer, load } from '../../../wasm/umbilic.js';
+import { quantityOf, sampleValues } from '../../../web/colour/quantities.js';
+import { robustRange } from '../../../web/colour/range.js';
+import { extent } from '../../../web/scene/geometry.js';
+import { createScene } from '../../../web/scene/scene.js';
+
+/** @import {Mesh} from '../../../wasm/types.js' */
+/** @import {CatalogSurface} from '../../../web/files/catalog.js' */
+
+const QUADS = 60_000;
+/** Part of the canvas that a surface spans, across or up. */
+const FILLED = 0.94;
+
+/**
+ * The colours of a row span the middle one of its surfaces' own ranges of K, in 1/radius², and no less than this: a sphere has 1.
+ */
+const LEAST_RANGE = 3;
+
+/**
+ * Where each shape is seen from: the azimuth about the axis of its symmetry and the elevation, in degrees. Chosen so that its junctions and
+ * the way through it are seen.
+ * @type {Record<string, [azimuth: number, elevation: number]>}
+ */
+const views = {
+  'two-3': [45, 24],
+  'two-12': [75, 22],
+  'tetrahedron-frame': [100, 25],
+  'cube-frame': [30, 33],
+  'octahedron-frame': [100, 25],
+  'dodecahedron-frame': [30, 35],
+  'hexagonal-prism-frame': [30, 30],
+  'truncated-tetrahedron-frame': [100, 25],
+};
+/** @type {[number, number]} */
+const usualView = [70, 26];
+
+const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('canvas'));
+const scene = createScene(canvas, { calm: true, slow: true, rested: () => {} });
+scene.setUp('z');
+
+/** Of unit size, so that curvatures of one row compare. @param {Mesh} mesh */
+function normalize(mesh) {
+  const { radius } = extent(mesh.positions);
+  mesh.positions.forEach((value, i) => (mesh.positions[i] = value / radius));
+  mesh.curvatures.forEach((value, i) => (mesh.curvatures[i] = value * radius));
+  return mesh;
+}
+
+/** @param {CatalogSurface} surface @returns {Mesh} */
+function limitMesh({ cage, level, points }) {
+  const generated = Cage.generate(cage.generator, cage);
+  const control = generated.refined(level, points);
+  const minimizer = new Minimizer(control, { weights: { bending: 1 }, levels: [0, 0] });
+  const density = Math.max(1, Math.min(24, Math.round(Math.sqrt(QUADS / control.counts.faces))));
+  const mesh = minimizer.limitMesh(density);
+  for (const part of [minimizer, control, generated]) part.dispose();
+  return normalize(mesh);
+}
+
+/** Moves the camera so that the surface spans the canvas and stands in its middle. @param {Float32Array} positions */
+function frame(positions) {
+  const { controls } = scene;
+  const camera = /** @type {import('three').PerspectiveCamera} */ (controls.object);
+  const point = new Vector3();
+  // What the scene sets them to when it draws does not serve before it has.
+  [camera.near, camera.far] = [0.1, 100];
+  camera.updateProjectionMatrix();
+  for (let round = 0; round < 6; round++) {
+    camera.updateMatrixWorld();
+    const low = [Infinity, Infinity];
+    const high = [-Infinity, -Infinity];
+    for (let i = 0; i < positions.length; i += 3) {
+      point.set(positions[i], positions[i + 2], -positions[i + 1]).project(camera);
+      [point.x, point.y].forEach((value, axis) => {
+        low[axis] = Math.min(low[axis], value);
+        high[axis] = Math.max(high[axis], value);
+      });
+    }
+    const away = camera.position.clone().sub(controls.target);
+    const halfHeight = away.length() * Math.tan((camera.fov * Math.PI) / 360);
+    const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
+    const up = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
+    controls.target
+      .addScaledVector(right, ((low[0] + high[0]) / 2) * halfHeight * camera.aspect)
+      .addScaledVector(up, ((low[1] + high[1]) / 2) * halfHeight);
+    away.multiplyScalar(Math.max(high[0] - low[0], high[1] - low[1]) / 2 / FILLED);
+    camera.position.copy(controls.target).add(away);
+    controls.update();
+  }
+}
+
+/** @type {Mesh[]} */
+let meshes = [];
+let shape = '';
+
+/** The page's end of `npm run pictures`. */
+const thumbnails = {
+  /** @param {CatalogSurface[]} surfaces of one row */
+  async open(surfaces) {
+    await load();
+    meshes = surfaces.map(limitMesh);
+    [{ shape }] = surfaces;
+    const quantity = quantityOf('gaussian');
+    if (!quantity) throw new Error('Gaussian curvature is not there');
+    const ranges = meshes.map(({ curvatures }) => robustRange(sampleValues(quantity, curvatures), quantity.signed));
+    const middle = ranges.map(({ high }) => high).sort((a, b) => a - b)[meshes.length >> 1];
+    const high = Math.max(middle, LEAST_RANGE);
+    scene.shade(quantity, { low: -high, high, ticks: [] });
+  },
+
+  /** @param {number} index in the row */
+  show(index) {
+    const { positions } = meshes[index];
+    scene.setSurface(meshes[index]);
+    const [azimuth, elevation] = views[shape] ?? usualView;
+    scene.setCamera({ azimuth, elevation, distance: 1, target: [0, 0, 0] });
+    scene.fit(positions);
+    frame(positions);
+    scene.requestRender();
+  },
+};
+
+Object.assign(window, { thumbnails });

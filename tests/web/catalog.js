@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file A small catalog for the tests of the pages that show it; its numbers are made up.
+ */
+
+/** @typedef {import('../../web/files/catalog.js').Catalog} Catalog */
+/** @typedef {import('../../web/files/catalog.js').CatalogEntry} CatalogEntry */
+/** @typedef {import('../../web/files/catalog.js').CatalogSurface} CatalogSurface */
+
+/**
+ * @param {string} shape
+ * @param {string} functional
+ * @param {Partial<CatalogEntry>} [more]
+ * @returns {CatalogEntry}
+ */
+export function entry(shape, functional, more = {}) {
+  return {
+    shape,
+    functional,
+    status: 'converged',
+    energy: 112.767,
+    error: 0.0076,
+    paper: 113,
+    exact: 112.766848,
+    group: { name: 'D3h', order: 12 },
+    settings: { cap: 'smooth', levels: [0, 4], tolerance: 1e-7, max_iterations: 500, symmetry: true },
+    energies: {
+      bending: 112.7675,
+      willmore: 21.9,
+      mvs: 3148,
+      mvs_cross: 8937,
+      mehlum_tarrou: 3330,
+      second_form_variation: null,
+      area: 0.295,
+      gaussian: -12.566,
+    },
+    quadrature_error: 1e-5,
+    levels: [3, 4].map((level) => ({
+      level,
+      patches: 24 * 4 ** level,
+      unknowns: 407,
+      energy: 112.767,
+      energy_reported: 112.7675,
+      iterations: 50,
+      evaluations: 57,
+      stop: 'converged',
+      metric: 'hessian',
+      metrics: 3,
+      evaluable: true,
+    })),
+    extrapolated: { status: 'converging', energy: 112.767, order: 5.7, error: 0.0076 },
+    certificate: { level: 3, unknowns: 4602, gauge: 10, tau: 0.001, negative: 0 },
+    second_family: null,
+    minimizer: `${shape}.${functional}.json`,
+    level: 4,
+    faces: 6144,
+    ...more,
+  };
+}
+
+/** @returns {Catalog} */
+export function catalog() {
+  return {
+    version: '1.2.3',
+    functionals: [
+      { name: 'bending', weights: { bending: 1 } },
+      { name: 'mvs', weights: { mvs: 1 } },
+      { name: 'bending_mvs_cross', weights: { bending: 1, mvs_cross: 1 } },
+    ],
+    shapes: [
+      { name: 'two-3', genus: 2, junctions: 2, arms: 3, cage: { generator: 'two-3', family: 'flag', thickness: 1 } },
+      { name: 'sphere', genus: 0, junctions: 0, arms: 0, cage: { generator: 'cube', family: 'flag', thickness: 1 } },
+    ],
+    starts: [],
+    entries: [
+      entry('two-3', 'bending'),
+      entry('two-3', 'mvs', {
+        minimizer: null,
+        status: 'none_found',
+        energy: null,
+        error: null,
+        reason: 'All collapsed.',
+      }),
+      entry('two-3', 'bending_mvs_cross', { energies: { ...entry('a', 'b').energies, bending: 150, mvs_cross: 4000 } }),
+      entry('sphere', 'bending'),
+    ],
+  };
+}
+
+/** @param {string} [shape] @returns {CatalogSurface} of four points */
+export function surface(shape = 'two-3') {
+  const generator = shape === 'sphere' ? 'cube' : shape;
+  const points = Array.from({ length: 12 }, (_, i) => i / 7);
+  return {
+    shape,
+    functional: 'bending',
+    cage: { generator, family: 'flag', thickness: 1 },
+    level: 4,
+    group: 'D3h',
+    points,
+  };
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The committed catalog in the studio: a minimizer of each shape, opened from its file by the worker's session, has the energies, the
+ * symmetry and the address that the catalog says.
+ */
+import { readFileSync } from 'node:fs';
+import { beforeAll, expect, test } from '@jest/globals';
+import { Cage, InputError, Minimizer, load } from '../../wasm/umbilic.js';
+import { formatStudioAddress, parseStudioAddress } from '../../web/address/studio.js';
+import { addressOf } from '../../web/state/address.js';
+import { findEntry, showsEntry } from '../../web/state/entry.js';
+import { initialState } from '../../web/state/reduce.js';
+import { optionsOf } from '../../web/state/settings.js';
+import { createSession } from '../../web/worker/session.js';
+import { after, answered } from './state.js';
+
+/** @typedef {import('../../web/files/catalog.js').Catalog} Catalog */
+/** @typedef {import('../../web/worker/protocol.js').Message} Message */
+
+/** @param {string} name */
+const read = (name) => JSON.parse(readFileSync(new URL(`../../web/catalog/${name}`, import.meta.url), 'utf8'));
+/** @type {Catalog} */
+const catalog = read('catalog.json');
+const functionals = catalog.functionals.map(({ name }) => name);
+
+beforeAll(() => load());
+
+/** @param {import('../../web/state/types.js').Opening} opening @returns {Message[]} the session's answers */
+function open({ run, source, settings, levelOffset }) {
+  /** @type {Message[]} */
+  const messages = [];
+  /** @type {Array<() => void>} */
+  const waiting = [];
+  const obey = createSession({
+    core: { Cage, InputError, Minimizer },
+    post: (message) => messages.push(message),
+    yieldThen: (task) => waiting.push(task),
+    now: () => 0,
+  });
+  obey({ type: 'open', run, source, options: optionsOf(settings, levelOffset) });
+  for (const task of waiting) task();
+  return messages;
+}
+
+// Another functional for each shape, so that all of both are met.
+test.each(catalog.shapes.map(({ name }, i) => [name, functionals[i % functionals.length]]))(
+  '%s minimizing %s is the surface that the catalog tells of',
+  (shape, functional) => {
+    const search = `?shape=${shape}&functional=${functional}`;
+    const waiting = initialState('system', parseStudioAddress(search));
+    const name = { shape, functional };
+    const found = findEntry(catalog, name);
+    if ('missing' in found) {
+      expect(catalog.entries.find((one) => one.shape === shape && one.functional === functional)?.minimizer).toBe(null);
+      return;
+    }
+    const { entry, weights } = found;
+    const surface = read(`${shape}.${functional}.json`);
+    const opening = after(waiting, { type: 'entryLoaded', name: waiting.wanted ?? name, entry, weights, surface });
+    if (!opening.opening) throw new Error('nothing is opened');
+    const messages = open(opening.opening);
+    const shown = after(opening, ...messages.map(answered));
+    expect(showsEntry(shown)).toBe(true);
+    expect(shown.group).toEqual(entry.group);
+    expect(formatStudioAddress(addressOf(shown))).toBe(search);
+    const measured = messages.find(({ type }) => type === 'measured');
+    if (measured?.type !== 'measured') throw new Error('nothing is measured');
+    for (const [key, value] of Object.entries(entry.energies)) {
+      // Native code and WebAssembly add in other orders: 1e-11 at most was seen, for energies with much cancellation.
+      const energy = measured.energies[/** @type {keyof import('../../wasm/types.js').Energies} */ (key)];
+      if (value !== null) expect(Math.abs(energy - value)).toBeLessThanOrEqual(1e-9 * Math.max(1, Math.abs(value)));
+    }
+  },
+);

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Where a surface is looked at from, in a few numbers that mean the same in every window: `camera=38.7,22.1,1`.
+ */
+import { numberIn } from './fields.js';
+
+/** @import {Field} from './fields.js' */
+
+/**
+ * The surface's axis points up on the screen; there is no roll.
+ * @typedef {object} Camera
+ * @property {number} azimuth degrees about the axis, -180 to 180
+ * @property {number} elevation degrees above the plane across the axis, -90 to 90
+ * @property {number} distance 1 where the surface just fits the view: in a given view, a multiple of its radius
+ * @property {[number, number, number]} target what it looks at, from the surface's centre, in radii
+ */
+
+/** Where every surface is looked at from first. @type {Camera} */
+export const firstCamera = { azimuth: 38.7, elevation: 22.1, distance: 1, target: [0, 0, 0] };
+
+/** The nearest and the farthest that the camera goes. */
+export const NEAREST = 0.05;
+export const FARTHEST = 8;
+/** Farthest that the target leaves the centre. */
+const ASIDE = 20;
+
+/** @param {number} value @param {number} decimals */
+const rounded = (value, decimals) => Number(value.toFixed(decimals)) + 0;
+
+/**
+ * To the digits that an address keeps: tenths of a degree, thousandths of the size.
+ * @param {Camera} camera
+ * @returns {Camera}
+ */
+export function roundCamera({ azimuth, elevation, distance, target }) {
+  const [x, y, z] = target.map((value) => rounded(value, 3));
+  return {
+    azimuth: rounded(azimuth, 1),
+    elevation: rounded(elevation, 1),
+    distance: rounded(distance, 3),
+    target: [x, y, z],
+  };
+}
+
+/** @param {Camera} a @param {Camera} b */
+export function sameCamera(a, b) {
+  return write(a) === write(b);
+}
+
+/** @param {Camera} camera */
+function write(camera) {
+  const { azimuth, elevation, distance, target } = roundCamera(camera);
+  return [azimuth, elevation, distance, ...(target.some(Boolean) ? target : [])].join(',');
+}
+
+/** @param {string} text @returns {Camera | undefined} */
+function read(text) {
+  const numbers = text.split(',').map(numberIn);
+  const [azimuth, elevation, distance, x = 0, y = 0, z = 0] = numbers;
+  const inside =
+    (numbers.length === 3 || numbers.length === 6) &&
+    Math.abs(azimuth) <= 180 &&
+    Math.abs(elevation) <= 90 &&
+    distance >= NEAREST &&
+    distance <= FARTHEST &&
+    [x, y, z].every((value) => Math.abs(value) <= ASIDE);
+  return inside ? roundCamera({ azimuth, elevation, distance, target: [x, y, z] }) : undefined;
+}
+
+/** @type {Field<Camera>} */
+export const cameraField = {
+  fallback: firstCamera,
+  read,
+  write,
+  expected: 'azimuth and elevation in degrees, distance, and where it is not 0 the target, with commas between',
+};

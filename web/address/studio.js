@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The studio's address. `studio.html?shape=two-3&functional=mvs_cross` is the catalog's minimizer;
+ * `studio.html?shape=two-3`, and every address with `start=cage`, is the cage with what is to be minimized.
+ */
+import { cameraField } from './camera.js';
+import { choice, formatAddress, isFunctional, isShape, number, numberIn, parseAddress } from './fields.js';
+import { shadingField } from './shading.js';
+import { readWeights, weightsExpected, writeWeights } from './weights.js';
+
+/** @import {CapName} from '../../wasm/types.js' */
+/** @import {Shading} from '../colour/quantities.js' */
+/** @import {Camera} from './camera.js' */
+/** @import {Field} from './fields.js' */
+/** @import {Weights} from './weights.js' */
+
+/**
+ * @typedef {object} StudioAddress
+ * @property {string} shape a generator's name; empty for a surface that no address can name
+ * @property {string} functional a functional's name, the catalog's name of a blend, `blend` for the weights, or empty
+ * @property {'catalog' | 'cage'} start where the functional is named, what is opened
+ * @property {'hub' | 'flag'} family
+ * @property {number} thickness
+ * @property {Weights} weights
+ * @property {CapName} cap
+ * @property {'on' | 'off'} symmetry
+ * @property {[number, number]} levels
+ * @property {Shading} shading
+ * @property {Camera} camera
+ */
+
+/** Most levels that an address may ask for. */
+const MAX_LEVEL = 6;
+
+/** @type {Field<[number, number]>} */
+const levels = {
+  fallback: [0, 2],
+  read(text) {
+    const [first, last, ...more] = text.split('..').map(numberIn);
+    const good = !more.length && Number.isInteger(first) && Number.isInteger(last) && first >= 0 && first <= last;
+    return good && last <= MAX_LEVEL ? [first, last] : undefined;
+  },
+  write: (value) => value.join('..'),
+  expected: `two levels such as 0..2, at most ${MAX_LEVEL}`,
+};
+
+/** @type {{[K in keyof StudioAddress]: Field<StudioAddress[K]>}} */
+const fields = {
+  shape: {
+    fallback: 'two-3',
+    read: (text) => (isShape(text) ? text : undefined),
+    write: String,
+    expected: 'a shape of the menu, such as two-3 or cube-frame',
+    always: true,
+  },
+  functional: {
+    fallback: '',
+    read: (text) => (isFunctional(text) ? text : undefined),
+    write: String,
+    expected: 'a functional such as bending or mvs_cross',
+  },
+  start: choice(/** @type {const} */ (['catalog', 'cage']), 'catalog'),
+  family: choice(/** @type {const} */ (['hub', 'flag']), 'flag'),
+  thickness: number(1, 0.5, 1.5),
+  weights: { fallback: {}, read: readWeights, write: writeWeights, expected: weightsExpected },
+  cap: choice(/** @type {const} */ (['smooth', 'flat', 'none']), 'smooth'),
+  symmetry: choice(/** @type {const} */ (['on', 'off']), 'on'),
+  levels,
+  shading: shadingField,
+  camera: cameraField,
+};
+
+/** @param {string} search @returns {{address: StudioAddress, notices: string[]}} */
+export const parseStudioAddress = (search) => parseAddress(fields, search);
+
+/** @param {StudioAddress} address @returns {string} from the question mark on */
+export const formatStudioAddress = (address) => formatAddress(fields, address);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The entry of the comparison: one state, and the views that show it.
+ */
+import { parseCompareAddress } from './address/compare.js';
+import { loadCatalog, loadSurface } from './files/catalog.js';
+import { storeTheme, storedTheme } from './files/theme.js';
+import { createEffects } from './pages/compare/effects.js';
+import { initialState, reduce } from './pages/compare/reduce.js';
+import { createPanesView } from './pages/compare/views/panes.js';
+import { createTableView } from './pages/compare/views/table.js';
+import { createToolsView } from './pages/compare/views/tools.js';
+import { createCopyView } from './views/copy.js';
+import { find } from './views/dom.js';
+import { createLegendView } from './views/legend.js';
+import { createNoticesView } from './views/page_notices.js';
+import { createThemeView } from './views/theme.js';
+import { createRequests } from './worker/requests.js';
+
+/** @import {Action, State} from './pages/compare/types.js' */
+
+/** @type {import('./worker/surfaces.js').MakeSurface} */
+const makeSurface = createRequests(
+  () => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' }),
+);
+const effects = createEffects({
+  dispatch: (action) => dispatch(action),
+  loadSurface,
+  // Where nothing is drawn, nothing need be made.
+  makeSurface: (question) => (panes.draws ? makeSurface(question) : Promise.resolve('')),
+  setAddress: (search) => history.replaceState(null, '', location.pathname + search),
+});
+let state = initialState(storedTheme(), parseCompareAddress(location.search));
+
+/** @param {Action} action */
+function dispatch(action) {
+  const before = state;
+  state = reduce(before, action);
+  effects(state);
+  if (state.theme !== before.theme) storeTheme(state.theme);
+  show();
+}
+
+/** @param {string} id */
+const byId = (id) => find(document, `#${id}`);
+const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
+/** The curvature of a sphere of the same area is the unit. */
+const legend = createLegendView(
+  byId('legend'),
+  (shading) => dispatch({ type: 'shadingChosen', shading }),
+  () => '1 on a sphere of equal area',
+);
+const panes = createPanesView(byId('panes'), dispatch);
+const views = [
+  createNoticesView(byId('notices'), () => dispatch({ type: 'noticesDismissed' })),
+  createToolsView(byId('comparison'), dispatch, panes.draws),
+  createTableView(byId('energies')),
+];
+createCopyView(find(document, '#copy'));
+
+/** @param {State} shown @returns {Float32Array[]} */
+function curvatures({ surfaces }) {
+  return Object.values(surfaces).flatMap((surface) => ('problem' in surface ? [] : [surface.spread]));
+}
+
+function show() {
+  theme.update(state.theme);
+  panes.update(state, legend.update({ shading: state.shading, curvatures: curvatures(state), occasion: '' }));
+  for (const view of views) view.update(state);
+}
+
+effects(state);
+show();
+loadCatalog().then(
+  (catalog) => dispatch({ type: 'catalogLoaded', catalog }),
+  (error) => dispatch({ type: 'catalogFailed', message: `The catalog was not loaded: ${error.message}` }),
+);

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The catalog's files as the pages read them, in the schema in which `npm run catalog` writes them.
+ */
+
+/** @import {CertificateReport, FunctionalName, Group, LevelReport, LimitStatus} from '../../wasm/types.js' */
+
+/**
+ * What is known of a minimizer. The energy of `converged` is extrapolated and has an error bar; that of `upper_bound` is a genuine
+ * surface's; that of `zero_attained` and `infimum_not_attained` is the infimum itself.
+ * @typedef {'converged' | 'upper_bound' | 'zero_attained' | 'infimum_not_attained' | 'none_found'} EntryStatus
+ */
+
+/** A column. @typedef {{name: string, weights: Partial<Record<FunctionalName, number>>}} CatalogFunctional */
+
+/** What a generated cage is made from. @typedef {{generator: string, family: 'hub' | 'flag', thickness: number}} CatalogCage */
+
+/**
+ * A row. `junctions` and `arms` of each junction are 0 where there are none.
+ * @typedef {{name: string, genus: number, junctions: number, arms: number, cage: CatalogCage}} CatalogShape
+ */
+
+/** @typedef {Record<FunctionalName | 'area' | 'gaussian', number | null>} EntryEnergies null where a quantity diverges */
+
+/** @typedef {Omit<LevelReport, 'energyReported' | 'seconds'> & {energy_reported: number | null}} EntryLevel */
+
+/** `agrees`: null where one of the two has no error bar. @typedef {{family: string, energy: number | null, error: number | null, agrees: boolean | null, levels: EntryLevel[]}} SecondFamily */
+
+/**
+ * @typedef {object} CatalogEntry
+ * @property {string} shape
+ * @property {string} functional
+ * @property {EntryStatus} status
+ * @property {number | null} energy null if none was found
+ * @property {number | null} error half-width of the error bar, if converged
+ * @property {string} [reason] one sentence, where the status needs one
+ * @property {number | null} paper what the paper's Table 1 prints
+ * @property {number | null} exact the infimum within the symmetry, where mathematics has it
+ * @property {string} [exact_source]
+ * @property {Group} group
+ * @property {{cap: string, levels: [number, number], tolerance: number, max_iterations: number, symmetry: boolean}} settings
+ * @property {EntryEnergies} energies of the last level's surface
+ * @property {number | null} quadrature_error
+ * @property {EntryLevel[]} levels
+ * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null}} extrapolated
+ * @property {CertificateReport | null} certificate
+ * @property {SecondFamily | null} second_family the same from other cages
+ * @property {string | null} minimizer the file of its surface, beside the catalog
+ * @property {number} level of that surface, in Catmull-Clark steps from the cage
+ * @property {number} faces of its control mesh
+ */
+
+/** The same minimizer from a cage of another thickness. @typedef {{shape: string, functional: string, thickness: number, energy: number, level: number}} CatalogStart */
+
+/** @typedef {{version: string, functionals: CatalogFunctional[], shapes: CatalogShape[], entries: CatalogEntry[], starts: CatalogStart[]}} Catalog */
+
+/**
+ * A surface: the control points of the first vertex of each orbit under `group`, x, y, z each, of the mesh `level` steps from the cage.
+ * @typedef {{shape: string, functional: string, cage: CatalogCage, level: number, group: string, points: number[]}} CatalogSurface
+ */
+
+/**
+ * The address of a file of the catalog, for pages beside its folder.
+ * @param {string} name "catalog.json", "two-3.bending.json", "pictures/two-3.bending.webp"
+ */
+export function catalogAddress(name) {
+  return `./catalog/${name}`;
+}
+
+/** @param {string} name @returns {Promise<any>} */
+async function load(name) {
+  const response = await fetch(catalogAddress(name));
+  if (!response.ok) throw new Error(`${name} was not loaded: ${response.status} ${response.statusText}`);
+  return response.json();
+}
+
+/** @returns {Promise<Catalog>} */
+export const loadCatalog = () => load('catalog.json');
+
+/** @param {string} name an entry's `minimizer` @returns {Promise<CatalogSurface>} */
+export const loadSurface = (name) => load(name);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the catalog's actions cause outside its state: the address, and files to save. Compares the state before and after; decides
+ * nothing.
+ */
+import { formatCatalogAddress } from '../../address/catalog.js';
+import { catalogCsv } from './csv.js';
+import { findEntry } from './select.js';
+
+/** @import {CatalogSurface} from '../../files/catalog.js' */
+/** @import {MakeSurface} from '../../worker/surfaces.js' */
+/** @import {Action, Download, EntryId, State} from './types.js' */
+
+/** What is made of an entry's surface, and what its file's name ends with. @type {Record<Download, {what: Parameters<MakeSurface>[0]['what'], ending: string, type: string}>} */
+const downloads = {
+  cage: { what: 'cage', ending: '.cage.obj', type: 'model/obj' },
+  control: { what: 'control', ending: '.control.obj', type: 'model/obj' },
+  limit: { what: 'limit', ending: '.limit.obj', type: 'model/obj' },
+  stl: { what: 'mesh', ending: '.stl', type: 'model/stl' },
+  glb: { what: 'mesh', ending: '.glb', type: 'model/gltf-binary' },
+};
+
+/**
+ * @param {object} surroundings
+ * @param {(action: Action) => void} surroundings.dispatch
+ * @param {MakeSurface} surroundings.makeSurface
+ * @param {(name: string) => Promise<CatalogSurface>} surroundings.loadSurface
+ * @param {() => Promise<typeof import('../../files/mesh_formats.js')>} surroundings.loadFormats
+ * @param {(name: string, content: string | ArrayBuffer, type: string) => void} surroundings.save
+ * @param {(search: string, how: 'push' | 'replace') => void} surroundings.setAddress from the question mark on
+ * @returns {(action: Action, before: State, after: State) => void}
+ */
+export function createEffects({ dispatch, makeSurface, loadSurface, loadFormats, save, setAddress }) {
+  /** @param {State} state @param {EntryId} id @param {Download} what */
+  async function download(state, id, what) {
+    const found = findEntry(state.catalog, id);
+    if (!found) throw new Error(`there is no entry ${id}`);
+    const { entry, shape } = found;
+    const surface = what !== 'cage' && entry.minimizer ? await loadSurface(entry.minimizer) : null;
+    const made = await makeSurface({ what: downloads[what].what, cage: surface?.cage ?? shape.cage, surface });
+    const { ending, type } = downloads[what];
+    const name = `${what === 'cage' ? shape.name : id}${ending}`;
+    if (typeof made === 'string') return save(name, made, type);
+    const formats = await loadFormats();
+    save(name, what === 'stl' ? formats.stl(made) : await formats.glb(made, id), type);
+  }
+
+  return (action, before, after) => {
+    if (action.type !== 'addressFollowed') {
+      const search = formatCatalogAddress(after.address);
+      const how = action.type === 'entryOpened' ? 'push' : 'replace';
+      if (search !== formatCatalogAddress(before.address)) setAddress(search, how);
+    }
+    if (action.type === 'tablePressed' && after.catalog) {
+      save('umbilic-catalog.csv', catalogCsv(after.catalog), 'text/csv;charset=utf-8');
+    }
+    if (after.exporting && after.exporting !== before.exporting) {
+      download(after, after.exporting.entry, after.exporting.what).then(
+        () => dispatch({ type: 'exported' }),
+        (error) => dispatch({ type: 'exportFailed', message: error instanceof Error ? error.message : String(error) }),
+      );
+    }
+  };
+}

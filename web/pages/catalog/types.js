@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The types of the catalog's one state object and of the actions that change it; nothing here runs.
+ */
+
+/** @import {CatalogAddress} from '../../address/catalog.js' */
+/** @import {Catalog, CatalogEntry, CatalogShape} from '../../files/catalog.js' */
+/** @import {Theme} from '../../files/theme.js' */
+
+/** "two-3.mvs_cross": shape and functional. @typedef {string} EntryId */
+
+/** What decides which rows are shown. @typedef {Pick<CatalogAddress, 'genus' | 'arms' | 'group' | 'status' | 'search'>} Filter */
+
+/**
+ * What can be downloaded of an entry: the generated cage, the final control mesh and the limit mesh as OBJ, and the latter as STL and GLB.
+ * @typedef {'cage' | 'control' | 'limit' | 'stl' | 'glb'} Download
+ */
+
+/**
+ * @typedef {object} State
+ * @property {Catalog | null} catalog null until it is loaded
+ * @property {string} problem why it cannot be
+ * @property {CatalogAddress} address the order, the rows, and the entry whose details are open
+ * @property {string[]} notices what the address says that is not understood
+ * @property {EntryId[]} chosen for comparison, in the order in which they were
+ * @property {{entry: EntryId, what: Download} | null} exporting
+ * @property {string} exportProblem why the last download failed
+ * @property {Theme} theme
+ */
+
+/** A row with its entries in the order of the columns. @typedef {{shape: CatalogShape, entries: Array<CatalogEntry | null>}} Row */
+
+/**
+ * @typedef {{type: 'catalogLoaded', catalog: Catalog}
+ *   | {type: 'catalogFailed', message: string}
+ *   | {type: 'sortPressed', key: string}
+ *   | {type: 'filterChanged', change: Partial<Filter>}
+ *   | {type: 'filterCleared'}
+ *   | {type: 'addressFollowed', address: CatalogAddress, notices: string[]}
+ *   | {type: 'entryOpened', entry: EntryId} | {type: 'entryClosed'}
+ *   | {type: 'entryChosen', entry: EntryId, chosen: boolean} | {type: 'choiceCleared'}
+ *   | {type: 'downloadPressed', entry: EntryId, what: Download}
+ *   | {type: 'exported'} | {type: 'exportFailed', message: string}
+ *   | {type: 'tablePressed'}
+ *   | {type: 'noticesDismissed'}
+ *   | {type: 'themeChosen', theme: Theme}} Action
+ */
+
+export {};

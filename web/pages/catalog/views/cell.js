@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file One entry in the table: its picture, its energy, what is known of it, and the ways to compare it and to read more.
+ */
+import { MOST, entryName } from '../../../address/compare.js';
+import { studioLink } from '../../../address/links.js';
+import { catalogAddress } from '../../../files/catalog.js';
+import { element, setText } from '../../../views/dom.js';
+import { besideWords, energyWords } from '../../../words/entries.js';
+
+/** @import {CatalogEntry} from '../../../files/catalog.js' */
+/** @import {Action, State} from '../types.js' */
+
+/** Size of the pictures in CSS pixels; they have twice as many. */
+const PICTURE = { width: '240', height: '180' };
+
+/** An energy with its error bar. @param {CatalogEntry} entry @returns {Node[]} */
+export function energyNodes(entry) {
+  const { value, error } = energyWords(entry);
+  const nodes = [element('span', { class: 'value' }, value)];
+  if (error) nodes.push(element('span', { class: 'error' }, ` ± ${error}`));
+  return nodes;
+}
+
+/** @param {CatalogEntry} entry @param {string} words what it shows @param {'lazy' | 'eager'} [loading] */
+export function picture(entry, words, loading = 'lazy') {
+  if (!entry.minimizer) return element('span', { class: 'no-picture' });
+  const src = catalogAddress(`pictures/${entryName(entry)}.webp`);
+  return element('img', { src, alt: words, loading, decoding: 'async', draggable: 'false', ...PICTURE });
+}
+
+/**
+ * @param {CatalogEntry} entry
+ * @param {string} words shape and functional
+ * @param {(action: Action) => void} dispatch
+ */
+export function createCell(entry, words, dispatch) {
+  const id = entryName(entry);
+  const choose = element('input', { type: 'checkbox', 'aria-label': `Compare ${words}` });
+  choose.addEventListener('change', () => dispatch({ type: 'entryChosen', entry: id, chosen: choose.checked }));
+  const more = element('button', { type: 'button', class: 'quiet more', 'aria-label': `Details: ${words}` }, 'Details');
+  more.addEventListener('click', () => dispatch({ type: 'entryOpened', entry: id }));
+
+  const shown = [picture(entry, words), element('span', { class: 'energy' }, ...energyNodes(entry))];
+  const open = entry.minimizer
+    ? element('a', { class: 'open', href: studioLink(entry), title: 'Open in the studio' }, ...shown)
+    : element('span', { class: 'open' }, ...shown);
+  const { note } = energyWords(entry);
+  const known = note ? [element('p', { class: 'known' }, note)] : [];
+  const beside = besideWords(entry).map((part) => element('span', {}, part));
+  const content = element('div', { class: `entry ${entry.status}` }, open, ...known);
+  if (beside.length) content.append(element('p', { class: 'beside' }, ...beside));
+  const label = element('label', { class: 'choose', title: 'Compare' }, choose, element('span', {}, 'Compare'));
+  content.append(element('div', { class: 'tools' }, ...(entry.minimizer ? [label] : []), more));
+
+  return {
+    root: element('td', {}, content),
+    /** @param {State} state */
+    update({ chosen, address }) {
+      const isChosen = chosen.includes(id);
+      choose.checked = isChosen;
+      choose.disabled = !isChosen && chosen.length >= MOST;
+      content.classList.toggle('chosen', isChosen);
+      content.classList.toggle('beside-the-point', address.status !== '' && address.status !== entry.status);
+    },
+  };
+}
+
+/** A cell that the catalog has no entry for. */
+export function emptyCell() {
+  const root = element('td', { class: 'empty' });
+  setText(root, '–');
+  return root;
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the details say of an entry: facts with their terms, its energies under every functional, and its levels.
+ */
+import { entryName } from '../../../address/compare.js';
+import { element } from '../../../views/dom.js';
+import { groupSymbol } from '../../../views/group.js';
+import { columnWords, junctionWords, typeset } from '../../../words/entries.js';
+import { functionals } from '../../../words/functionals.js';
+import { compact, counted, significant, upperBound, whole, withError } from '../../../words/numbers.js';
+
+/** @import {FunctionalName} from '../../../../wasm/types.js' */
+/** @import {CatalogEntry, CatalogFunctional, CatalogStart} from '../../../files/catalog.js' */
+/** @import {findEntry} from '../select.js' */
+
+/** @typedef {NonNullable<ReturnType<typeof findEntry>>} Found */
+
+/** Below this, an energy is round-off. */
+const ROUND_OFF = 1e-9;
+/** Below this, the integral of the Gaussian curvature is zero by the error of its quadrature. */
+const INTEGRAL_ERROR = 1e-6;
+/** Digits of energies, and of what mathematics has. */
+const ENERGY_DIGITS = 8;
+const EXACT_DIGITS = 9;
+
+/** @param {string} term @param {...(Node | string)} value */
+const fact = (term, ...value) => element('div', {}, element('dt', {}, term), element('dd', {}, ...value));
+
+/** What is known of an entry besides its energy. @param {Found} found @param {CatalogStart[]} starts of the catalog @returns {HTMLElement[]} */
+export function facts({ entry, shape }, starts) {
+  const { group, certificate, second_family: second, extrapolated, paper, exact, energy, settings } = entry;
+  const list = [fact('Genus', String(shape.genus))];
+  if (junctionWords(shape)) list.push(fact('Frame', junctionWords(shape)));
+  if (group) list.push(fact('Symmetry', ...groupSymbol(group.name), `, order ${group.order}`));
+  if (extrapolated?.order) list.push(fact('Observed order', compact(extrapolated.order, 2)));
+  if (paper !== null) {
+    const ratio = energy === null ? '' : `, ratio ${compact(energy / paper)}`;
+    list.push(fact('The paper', `${whole(paper)}${ratio}`));
+  }
+  if (exact !== null) {
+    const source = entry.exact_source ? `, ${typeset(entry.exact_source)}` : '';
+    list.push(fact('Exact', `${compact(exact, EXACT_DIGITS)}${source}`));
+  }
+  if (second && second.energy !== null) {
+    const { value, error } = withError(second.energy, second.error ?? NaN, 2);
+    const bound = second.error === null ? `≤ ${upperBound(second.energy)}` : `${value} ± ${error}`;
+    const verdict = second.agrees === null ? '' : second.agrees ? ', agrees' : ', does not agree';
+    list.push(fact(`From ${second.family} cages`, bound + verdict));
+  }
+  const same = starts.filter((start) => entryName(start) === entryName(entry));
+  if (same.length) {
+    const thicknesses = same.map(({ thickness }) => compact(thickness)).join(', ');
+    const energies = same.map((start) => significant(start.energy, ENERGY_DIGITS)).join(', ');
+    list.push(fact(`From thickness ${thicknesses}`, `${energies}, level ${same[0].level}`));
+  }
+  if (certificate) {
+    const { negative, level } = certificate;
+    const words = negative
+      ? `${counted(negative, 'direction lowers', 'directions lower')} the energy, level ${level}`
+      : `a local minimum among all surfaces near it, level ${level}`;
+    list.push(fact('Certificate', words));
+  }
+  if (settings)
+    list.push(
+      fact(
+        'Settings',
+        `cap ${settings.cap}, levels ${settings.levels.join('–')}, tolerance ${compact(settings.tolerance)}`,
+      ),
+    );
+  return list;
+}
+
+/** @param {string} name @param {string} formula @param {number | null} value @param {boolean} objective */
+function energyRow(name, formula, value, objective) {
+  const text = value === null ? 'diverges' : significant(Math.abs(value) < ROUND_OFF ? 0 : value, ENERGY_DIGITS);
+  return element(
+    'tr',
+    objective ? { class: 'objective' } : {},
+    element('th', { scope: 'row', title: formula }, name),
+    element('td', {}, text),
+  );
+}
+
+/** Its surface's energies under every functional. @param {CatalogEntry} entry @param {CatalogFunctional} functional @returns {HTMLElement[]} */
+export function energyTable({ energies, quadrature_error }, functional) {
+  const parts = Object.entries(functional.weights);
+  const rows = functionals.map(({ id, name, formula }) =>
+    energyRow(name, formula, energies[id], parts.length === 1 && id in functional.weights),
+  );
+  if (parts.length > 1) {
+    const { name, formula } = columnWords(functional);
+    const sum = parts.reduce(
+      (total, [id, weight]) => total + weight * (energies[/** @type {FunctionalName} */ (id)] ?? NaN),
+      0,
+    );
+    rows.unshift(energyRow(name, formula, sum, true));
+  }
+  if (energies.gaussian !== null) {
+    const value = energies.gaussian / (4 * Math.PI);
+    const text = significant(Math.abs(value) < INTEGRAL_ERROR ? 0 : value);
+    rows.push(element('tr', {}, element('th', { scope: 'row' }, '∫ K dA / 4π'), element('td', {}, text)));
+  }
+  const table = element('table', { class: 'energies' }, element('tbody', {}, ...rows));
+  const error = quadrature_error === null ? '' : ` Quadrature error ${compact(quadrature_error, 2)}.`;
+  return [table, element('p', { class: 'note' }, `By a finer rule than the one that was minimized.${error}`)];
+}
+
+/** @param {CatalogEntry} entry */
+export function levelTable({ levels }) {
+  const heads = ['Level', 'Patches', 'Unknowns', 'Energy'].map((name) => element('th', { scope: 'col' }, name));
+  const rows = levels.map(({ level, patches, unknowns, energy_reported }) =>
+    element(
+      'tr',
+      {},
+      element('td', {}, String(level)),
+      element('td', {}, whole(patches)),
+      element('td', {}, whole(unknowns)),
+      element('td', {}, energy_reported === null ? 'diverges' : significant(energy_reported, ENERGY_DIGITS)),
+    ),
+  );
+  return element(
+    'table',
+    { class: 'levels' },
+    element('thead', {}, element('tr', {}, ...heads)),
+    element('tbody', {}, ...rows),
+  );
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the comparison's actions cause outside its state: surfaces to load, and the page's address. Decides nothing.
+ */
+import { entryName, formatCompareAddress } from '../../address/compare.js';
+import { spreadCurvatures, withUnitArea } from './equal_area.js';
+import { entryOf } from './reduce.js';
+
+/** @import {EntryName} from '../../address/compare.js' */
+/** @import {CatalogSurface} from '../../files/catalog.js' */
+/** @import {MakeSurface} from '../../worker/surfaces.js' */
+/** @import {Action, Shown, State} from './types.js' */
+
+/** Quads of all surfaces together, at most about: they are turned together. */
+const QUADS = 160_000;
+
+/**
+ * @param {object} surroundings
+ * @param {(action: Action) => void} surroundings.dispatch
+ * @param {(name: string) => Promise<CatalogSurface>} surroundings.loadSurface
+ * @param {MakeSurface} surroundings.makeSurface
+ * @param {(search: string) => void} surroundings.setAddress
+ * @returns {(after: State) => void}
+ */
+export function createEffects({ dispatch, loadSurface, makeSurface, setAddress }) {
+  /** @type {Set<string>} */
+  const asked = new Set();
+  let address = '';
+
+  /** @param {State} state @param {EntryName} wanted @returns {Promise<Shown>} */
+  async function surfaceOf({ catalog, entries }, wanted) {
+    const entry = entryOf(catalog, wanted);
+    if (!entry) return { problem: 'The catalog has no such entry.' };
+    if (!entry.minimizer) return { problem: entry.reason ?? 'No minimizer was found.' };
+    try {
+      const surface = await loadSurface(entry.minimizer);
+      const mesh = await makeSurface({ what: 'mesh', cage: surface.cage, surface, quads: QUADS / entries.length });
+      if (typeof mesh === 'string') return { problem: '' };
+      const shown = withUnitArea(mesh);
+      return { ...shown, spread: spreadCurvatures(shown) };
+    } catch (error) {
+      return { problem: error instanceof Error ? error.message : String(error) };
+    }
+  }
+
+  /** @param {State} state @param {EntryName} wanted */
+  async function load(state, wanted) {
+    const name = entryName(wanted);
+    if (name in state.surfaces || asked.has(name)) return;
+    asked.add(name);
+    const surface = await surfaceOf(state, wanted);
+    asked.delete(name);
+    dispatch({ type: 'surfaceLoaded', name, surface });
+  }
+
+  return (after) => {
+    const { entries, shading, camera } = after;
+    const next = formatCompareAddress({ entries, shading, camera });
+    if (next !== address) setAddress((address = next));
+    if (after.catalog) for (const entry of entries) load(after, entry);
+  };
+}

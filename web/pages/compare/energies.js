@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The energies of entries side by side: which one has the least of each functional. Pure.
+ */
+import { functionals } from '../../words/functionals.js';
+
+/** @import {FunctionalName} from '../../../wasm/types.js' */
+/** @import {CatalogEntry} from '../../files/catalog.js' */
+
+/** @typedef {{value: number | null, least: boolean}} Cell `value` null where there is none or it diverges */
+
+/** Energies that differ by less, relative to them, are the same: of one surface, or of one shape from two runs. */
+const SAME = 1e-9;
+
+/**
+ * A row for each functional, a cell for each entry. Among equal ones each is the least; alone, none is.
+ * @param {Array<CatalogEntry | null>} entries
+ * @returns {Array<{functional: FunctionalName, cells: Cell[]}>}
+ */
+export function energyTable(entries) {
+  return functionals.map(({ id }) => {
+    const values = entries.map((entry) => (entry?.minimizer ? entry.energies[id] : null));
+    const known = values.filter((value) => value !== null);
+    const least = Math.min(...known);
+    const cells = values.map((value) => ({
+      value,
+      least: value !== null && known.length > 1 && value <= least + SAME * Math.abs(least),
+    }));
+    return { functional: id, cells };
+  });
+}

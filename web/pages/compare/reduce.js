@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The comparison's state at the start, and what actions make of it. Pure.
+ */
+import { FEWEST, MOST, entryName, parseCompareAddress } from '../../address/compare.js';
+
+/** @import {CompareAddress, EntryName} from '../../address/compare.js' */
+/** @import {Catalog} from '../../files/catalog.js' */
+/** @import {Theme} from '../../files/theme.js' */
+/** @import {Action, State} from './types.js' */
+
+/**
+ * @param {Theme} [theme]
+ * @param {{address: CompareAddress, notices: string[]}} [said]
+ * @returns {State}
+ */
+export function initialState(theme = 'system', { address, notices } = parseCompareAddress('')) {
+  return { ...address, catalog: null, surfaces: {}, fits: 0, theme, notices };
+}
+
+/** The catalog's entry of a name. @param {Catalog | null} catalog @param {EntryName} name */
+export function entryOf(catalog, { shape, functional }) {
+  return catalog?.entries.find((entry) => entry.shape === shape && entry.functional === functional) ?? null;
+}
+
+/**
+ * What is added: the shape of the last one under the next functional that is not there yet.
+ * @param {State} state
+ * @returns {EntryName}
+ */
+function nextEntry({ catalog, entries }) {
+  const last = entries[entries.length - 1];
+  const functionals = catalog?.functionals.map(({ name }) => name) ?? [];
+  const taken = new Set(entries.map(entryName));
+  const free = functionals.find((functional) => !taken.has(entryName({ shape: last.shape, functional })));
+  return free ? { shape: last.shape, functional: free } : last;
+}
+
+/**
+ * Surfaces that no entry shows are let go.
+ * @param {State} state
+ * @param {EntryName[]} entries
+ * @returns {State}
+ */
+function withEntries(state, entries) {
+  const names = new Set(entries.map(entryName));
+  const kept = Object.entries(state.surfaces).filter(([name]) => names.has(name));
+  return { ...state, entries, surfaces: Object.fromEntries(kept) };
+}
+
+/**
+ * @param {State} state
+ * @param {Action} action
+ * @returns {State}
+ */
+export function reduce(state, action) {
+  const { entries } = state;
+  switch (action.type) {
+    case 'catalogLoaded':
+      return { ...state, catalog: action.catalog };
+    case 'catalogFailed':
+      return { ...state, notices: [...state.notices, action.message] };
+    case 'surfaceLoaded': {
+      if (!entries.some((entry) => entryName(entry) === action.name)) return state;
+      return { ...state, surfaces: { ...state.surfaces, [action.name]: action.surface } };
+    }
+    case 'entryChosen':
+      return withEntries(
+        state,
+        entries.map((entry, i) => (i === action.index ? { ...entry, ...action.change } : entry)),
+      );
+    case 'entryAdded':
+      return entries.length < MOST ? withEntries(state, [...entries, nextEntry(state)]) : state;
+    case 'entryRemoved':
+      return entries.length > FEWEST ? withEntries(state, entries.toSpliced(action.index, 1)) : state;
+    case 'shadingChosen':
+      return { ...state, shading: action.shading };
+    case 'cameraMoved':
+      return { ...state, camera: action.camera };
+    case 'fitPressed':
+      return { ...state, fits: state.fits + 1 };
+    case 'themeChosen':
+      return { ...state, theme: action.theme };
+    case 'noticesDismissed':
+      return { ...state, notices: [] };
+  }
+}

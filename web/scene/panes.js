@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Several surfaces side by side on one canvas, seen by one camera: to turn one is to turn all. Draws when something has changed and
+ * at no other time.
+ */
+import { BufferGeometry, Group, Mesh, Scene, Vector3 } from 'three';
+import { extent, setSurface } from './geometry.js';
+import { addLights } from './lights.js';
+import { createSurfaceMaterial } from './material.js';
+import { createOrbit } from './orbit.js';
+import { createPainter } from './painter.js';
+
+/** @import * as core from '../../wasm/types.js' */
+/** @import {Camera} from '../address/camera.js' */
+/** @import {Quantity} from '../colour/quantities.js' */
+/** @import {Range} from '../colour/range.js' */
+/** @import {Size} from './placement.js' */
+
+/** A surface, if it is there, and the element above whose place on the canvas it is drawn. @typedef {{mesh: core.Mesh | null, place: Element}} Pane */
+
+/**
+ * @param {HTMLCanvasElement} canvas fills its parent, which holds the places
+ * @param {object} options
+ * @param {boolean} options.calm without inertia
+ * @param {boolean} options.slow drawn without graphics hardware
+ * @param {(camera: Camera) => void} options.rested is called when the camera has been moved
+ */
+export function createPanes(canvas, { calm, slow, rested }) {
+  const scene = new Scene();
+  const orbit = createOrbit(canvas, { moved: () => painter.request(), rested });
+  const { camera, controls } = orbit;
+  addLights(scene, camera);
+  const surfaceMaterial = createSurfaceMaterial();
+  const model = new Group();
+  model.rotation.x = -Math.PI / 2; // Generated shapes stand on the axis of their symmetry, z.
+  scene.add(model);
+
+  /** @type {Array<Pane & {surface: Mesh | null}>} */
+  let panes = [];
+
+  /** Where a pane is on the canvas, in CSS pixels, from its bottom left corner. @param {Pane} pane */
+  function boxOf({ place }) {
+    const whole = canvas.getBoundingClientRect();
+    const { left, bottom, width, height } = place.getBoundingClientRect();
+    return { left: left - whole.left, bottom: whole.bottom - bottom, width, height };
+  }
+
+  const painter = createPainter(canvas, {
+    slow,
+    prepare() {
+      controls.enableDamping = !calm && !painter.isSlow();
+      controls.update();
+    },
+    draw(renderer) {
+      renderer.autoClear = false;
+      renderer.setClearColor(0, 0);
+      renderer.setScissorTest(false);
+      renderer.clear();
+      renderer.setScissorTest(true);
+      orbit.focus();
+      for (const pane of panes) {
+        if (!pane.surface) continue;
+        const { left, bottom, width, height } = boxOf(pane);
+        renderer.setViewport(left, bottom, width, height);
+        renderer.setScissor(left, bottom, width, height);
+        for (const { surface } of panes) if (surface) surface.visible = surface === pane.surface;
+        renderer.render(scene, camera);
+      }
+    },
+    resized: measure,
+  });
+
+  /** All places have one shape. */
+  function measure() {
+    if (!panes.length) return;
+    const { width, height } = boxOf(panes[0]);
+    if (width && height) orbit.resize(width / height);
+  }
+
+  /** That of the largest, about the origin; null where there is none. @returns {Size | null} */
+  function size() {
+    const radii = panes.flatMap(({ mesh }) => (mesh ? [extent(mesh.positions).radius] : []));
+    return radii.length ? { centre: new Vector3(), radius: Math.max(...radii) } : null;
+  }
+
+  return {
+    controls,
+    /** Moves the camera so that the largest surface fills its view. */
+    fit() {
+      const whole = size();
+      if (whole) orbit.fit(whole);
+    },
+
+    /** Where all are looked at from. @param {Camera} next */
+    setCamera: (next) => orbit.set(next),
+
+    /** Centred surfaces, in their order; the camera stays where it is for their size. @param {Pane[]} next */
+    setPanes(next) {
+      const before = panes;
+      panes = next.map(({ mesh, place }) => {
+        const kept = before.find((pane) => pane.mesh === mesh);
+        return { mesh, place, surface: kept?.surface ?? (mesh && createSurface(mesh)) };
+      });
+      for (const { surface } of before) {
+        if (!surface || panes.some((pane) => pane.surface === surface)) continue;
+        model.remove(surface);
+        surface.geometry.dispose();
+      }
+      measure();
+      const whole = size();
+      if (whole) orbit.hold(whole);
+      painter.request();
+    },
+
+    /** @param {Quantity | null} quantity @param {Range | null} range */
+    shade(quantity, range) {
+      surfaceMaterial.shade(quantity, range);
+      painter.request();
+    },
+
+    dispose() {
+      painter.dispose();
+      orbit.dispose();
+      for (const { surface } of panes) surface?.geometry.dispose();
+      surfaceMaterial.dispose();
+    },
+  };
+
+  /** @param {core.Mesh} mesh */
+  function createSurface(mesh) {
+    const geometry = new BufferGeometry();
+    setSurface(geometry, mesh);
+    const surface = new Mesh(geometry, surfaceMaterial.material);
+    model.add(surface);
+    return surface;
+  }
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The studio's entry: one state, the worker that changes it, and the views that show it.
+ */
+import { parseStudioAddress } from './address/studio.js';
+import { createEffects } from './effects.js';
+import { loadEntry } from './files/entry.js';
+import { saveFile } from './files/save.js';
+import { storeTheme, storedTheme } from './files/theme.js';
+import { initialState, reduce } from './state/reduce.js';
+import { createCageView } from './views/cage.js';
+import { createCertificateView } from './views/certificate.js';
+import { createCopyView } from './views/copy.js';
+import { find, setText } from './views/dom.js';
+import { createDropView, createFileTaker } from './views/drop.js';
+import { createEntryView } from './views/entry.js';
+import { createLegendView } from './views/legend.js';
+import { createLimitView } from './views/limit.js';
+import { createAlertView, createDownloadsView } from './views/notices.js';
+import { createObjectiveView } from './views/objective.js';
+import { createPlotView } from './views/plot.js';
+import { createRunView } from './views/run.js';
+import { createEnergiesView, createLevelsView } from './views/tables.js';
+import { createThemeView } from './views/theme.js';
+import { createClient } from './worker/client.js';
+
+/** @import {Action} from './state/types.js' */
+
+const client = createClient({
+  createWorker: () => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }),
+  onMessage: (message) => dispatch({ type: 'answered', message }),
+  onLost: (loss, detail) => dispatch({ type: 'workerLost', loss, detail }),
+});
+const effects = createEffects({
+  client,
+  save: saveFile,
+  load: async (name) => {
+    const found = await loadEntry(name);
+    dispatch(
+      'missing' in found
+        ? { type: 'entryMissing', name, message: found.missing }
+        : { type: 'entryLoaded', name, ...found },
+    );
+  },
+  setAddress: (search) => history.replaceState(null, '', location.pathname + search),
+});
+let state = initialState(storedTheme(), parseStudioAddress(location.search));
+
+/** @param {Action} action */
+function dispatch(action) {
+  const before = state;
+  state = reduce(before, action);
+  effects(action, before, state);
+  if (state.view.theme !== before.view.theme) storeTheme(state.view.theme);
+  show();
+}
+
+const takeFiles = createFileTaker(dispatch);
+/** @param {string} id */
+const byId = (id) => find(document, `#${id}`);
+const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), (chosen) =>
+  dispatch({ type: 'viewChanged', change: { theme: chosen } }),
+);
+const legend = createLegendView(byId('legend'), (shading) => dispatch({ type: 'viewChanged', change: { shading } }));
+/** @type {ReturnType<typeof import('./views/surface.js').createSurfaceView> | null} */
+let surface = null;
+const plain = [
+  createEntryView(byId('entry'), dispatch),
+  createCageView(byId('cage'), dispatch, takeFiles),
+  createObjectiveView(byId('objective'), dispatch),
+  createRunView(byId('run'), dispatch),
+  createPlotView(byId('plot')),
+  createEnergiesView(byId('energies')),
+  createLevelsView(byId('levels')),
+  createLimitView(byId('limit')),
+  createCertificateView(byId('certificate'), dispatch),
+  createDownloadsView(byId('downloads'), dispatch),
+  createAlertView(byId('alert'), dispatch),
+];
+createDropView(byId('drop'), takeFiles);
+createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')));
+
+function show() {
+  const dark = theme.update(state.view.theme);
+  // While the surface moves the range is calm; another cage or a surface at rest gets its own.
+  const range = legend.update({
+    shading: state.view.shading,
+    curvatures: state.surface ? [state.surface.limit.curvatures] : [],
+    occasion: `${state.run} ${state.status === 'running'}`,
+  });
+  surface?.update(state, range, dark);
+  for (const view of plain) view.update(state);
+  setText(byId('version'), state.version);
+}
+
+effects({ type: 'alertDismissed' }, { ...state, opening: null, wanted: null }, state);
+show();
+// What draws is the largest part of the page; it is loaded while the worker begins.
+const { createSurfaceView } = await import('./views/surface.js');
+surface = createSurfaceView(byId('surface'), dispatch);
+show();

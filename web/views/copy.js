@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The button that copies the page's address.
+ */
+import { setText } from './dom.js';
+
+/** Milliseconds for which the button says what it has done. */
+const TOLD = 1600;
+
+/** @param {HTMLButtonElement} button */
+export function createCopyView(button) {
+  const listening = new AbortController();
+  const label = button.textContent ?? '';
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+  button.addEventListener(
+    'click',
+    async () => {
+      // Where the page may not write, the address bar has the same.
+      const copied = await copy(location.href);
+      setText(button, copied ? 'Copied' : 'See the address bar');
+      clearTimeout(timer);
+      timer = setTimeout(() => setText(button, label), TOLD);
+    },
+    { signal: listening.signal },
+  );
+  return {
+    dispose() {
+      listening.abort();
+      clearTimeout(timer);
+    },
+  };
+}
+
+/** @param {string} text @returns {Promise<boolean>} whether the browser allows it */
+async function copy(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}

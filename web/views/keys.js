@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Keys that move the camera of a picture: arrows turn, plus and minus zoom, F fits.
+ */
+
+const TURN = Math.PI / 24;
+const ZOOM = 0.85;
+
+/**
+ * What of OrbitControls the keys use.
+ * @typedef {Record<'rotateLeft' | 'rotateUp' | 'dollyIn' | 'dollyOut', (amount: number) => void>} Controls
+ */
+
+/**
+ * @param {HTMLElement} element that has the focus
+ * @param {Controls | undefined} controls
+ * @param {() => void} fit
+ * @param {AbortSignal} signal
+ */
+export function listenToKeys(element, controls, fit, signal) {
+  /** @type {Record<string, () => void>} */
+  const keys = {
+    ArrowLeft: () => controls?.rotateLeft(TURN),
+    ArrowRight: () => controls?.rotateLeft(-TURN),
+    ArrowUp: () => controls?.rotateUp(TURN),
+    ArrowDown: () => controls?.rotateUp(-TURN),
+    '+': () => controls?.dollyIn(ZOOM),
+    '=': () => controls?.dollyIn(ZOOM),
+    '-': () => controls?.dollyOut(ZOOM),
+    f: fit,
+  };
+  element.addEventListener(
+    'keydown',
+    (event) => {
+      const work = keys[event.key];
+      if (!work || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      work();
+    },
+    { signal },
+  );
+}

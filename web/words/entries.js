@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the catalog's shapes, columns and entries are called, and what is known of them.
+ */
+import { cageWords } from './cages.js';
+import { functionalWords } from './functionals.js';
+import { compact, counted, significant, upperBound, whole, withError } from './numbers.js';
+
+/** @import {FunctionalName} from '../../wasm/types.js' */
+/** @import {CatalogEntry, CatalogFunctional, CatalogShape, EntryStatus} from '../files/catalog.js' */
+
+/** Digits of an extrapolated energy's error, of an infimum, and of what mathematics has. */
+const ERROR_DIGITS = 2;
+const INFIMUM_DIGITS = 6;
+const EXACT_DIGITS = 7;
+
+/** @param {string} words */
+export const capitalized = (words) => words[0].toUpperCase() + words.slice(1);
+
+const SUBSCRIPTS = '₀₁₂₃₄₅₆₇₈₉';
+const SUPERSCRIPTS = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+
+/**
+ * The catalog's sentences are in ASCII; on the page xi_{2,1} is ξ₂,₁, 8 pi^2 is 8π², and -11 % has a true minus.
+ * @param {string} text
+ */
+export function typeset(text) {
+  /** @param {string} number @param {string} digits */
+  const set = (number, digits) => number.replace(/\d/g, (digit) => digits[Number(digit)]);
+  return text
+    .replace(/\bxi_\{(\d+),(\d+)\}/g, (_, k, m) => `ξ${set(k, SUBSCRIPTS)},${set(m, SUBSCRIPTS)}`)
+    .replace(/(\d) pi\b/g, '$1π')
+    .replace(/\^(\d+)/g, (_, power) => set(power, SUPERSCRIPTS))
+    .replace(/(^|\s)-(?=\d)/g, '$1−')
+    .replaceAll("'", '’');
+}
+
+/** @param {string} name of a shape */
+export function shapeTitle(name) {
+  return name === 'sphere' ? 'Sphere' : cageWords(name).title;
+}
+
+/** "8 junctions of 3 arms". @param {CatalogShape} shape @returns {string} empty where there are none, or where the title says it */
+export function junctionWords({ name, junctions, arms }) {
+  return junctions && !name.startsWith('two-') ? `${counted(junctions, 'junction')} of ${counted(arms, 'arm')}` : '';
+}
+
+/**
+ * A column's head.
+ * @param {CatalogFunctional} functional
+ * @returns {{name: string, formula: string, taste: string}}
+ */
+export function columnWords({ weights }) {
+  const parts = /** @type {Array<[FunctionalName, number]>} */ (Object.entries(weights)).map(([id, weight]) => ({
+    ...functionalWords(id),
+    weight,
+  }));
+  if (parts.length === 1) return parts[0];
+  /** @param {(part: typeof parts[number]) => string} word */
+  const sum = (word) =>
+    parts.map((part) => (part.weight === 1 ? word(part) : `${compact(part.weight)} × ${word(part)}`)).join(' + ');
+  return {
+    name: sum(({ short }) => short),
+    formula: sum(({ formula }) => formula),
+    taste: 'A blend: round, and even in its curvature.',
+  };
+}
+
+/** @type {Record<EntryStatus, {name: string, meaning: string}>} */
+export const statusWords = {
+  converged: {
+    name: 'converged',
+    meaning:
+      'Three levels of refinement converge. The energy is their limit, and the bar holds for every order of convergence from 1 on.',
+  },
+  upper_bound: {
+    name: 'upper bound',
+    meaning:
+      'The energies of the levels do not settle. The number is the energy of a genuine surface, so the infimum is not above it.',
+  },
+  zero_attained: { name: 'attained', meaning: 'The functional is zero on this surface, and never less.' },
+  infimum_not_attained: {
+    name: 'infimum, not attained',
+    meaning: 'Energies come as close to the number as one likes, but no surface has it.',
+  },
+  none_found: { name: 'none found', meaning: 'No run ended with a surface that could stand for a minimizer.' },
+};
+
+/**
+ * An entry's energy.
+ * @param {CatalogEntry} entry
+ * @returns {{value: string, error: string, note: string}} `error` is empty where there is none, `note` where the number
+ *   says itself what it is
+ */
+export function energyWords({ status, energy, error }) {
+  const note = status === 'converged' || status === 'upper_bound' ? '' : statusWords[status].name;
+  if (energy === null) return { value: '–', error: '', note };
+  switch (status) {
+    case 'converged':
+      return { ...withError(energy, error ?? NaN, ERROR_DIGITS), note };
+    case 'upper_bound':
+      return { value: `≤ ${upperBound(energy)}`, error: '', note };
+    default:
+      return { value: significant(energy, INFIMUM_DIGITS), error: '', note };
+  }
+}
+
+/** What others have for an entry: the paper's table and mathematics. @param {CatalogEntry} entry @returns {string[]} */
+export function besideWords({ status, paper, exact }) {
+  const words = [];
+  if (paper !== null) words.push(`paper ${whole(paper)}`);
+  // A known infimum is what mathematics has.
+  const computed = status === 'converged' || status === 'upper_bound';
+  if (computed && exact !== null) words.push(`exact ${compact(exact, EXACT_DIGITS)}`);
+  return words;
+}
+
+/**
+ * The commands that compute an entry from nothing.
+ * @param {CatalogShape} shape
+ * @param {CatalogFunctional} functional
+ * @param {CatalogEntry} entry
+ */
+export function commands({ name, cage }, { weights }, { settings }) {
+  const family = cageWords(cage.generator).frame ? ` --family ${cage.family}` : '';
+  const thickness = cage.thickness === 1 ? '' : ` --thickness ${cage.thickness}`;
+  const sum = Object.entries(weights).map(([id, weight]) => `${id}=${weight}`);
+  const objective = sum.length > 1 ? `--weights ${sum.join(',')}` : `--functional ${Object.keys(weights)[0]}`;
+  const tolerance = settings.tolerance === 1e-6 ? '' : ` --tolerance ${settings.tolerance}`;
+  const iterations = settings.max_iterations === 1000 ? '' : ` --max-iterations ${settings.max_iterations}`;
+  const file = `${name}.obj`;
+  return [
+    `umbilic cage ${cage.generator}${family}${thickness} -o ${file}`,
+    `umbilic optimize ${file} ${objective} --levels ${settings.levels.join('..')}${tolerance}${iterations}`,
+  ].join('\n');
+}
+
+/** How the catalog, or a number of it, is cited. @param {string} version @param {string} address of the catalog */
+export function citation(version, address) {
+  return `umbilic ${version}, a catalog of minimizers of curvature functionals, ${address}`;
+}
