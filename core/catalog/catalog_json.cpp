@@ -65,7 +65,10 @@ std::string entry_name(const CatalogShape& shape, const CatalogFunctional& funct
 Json json_of(const EntrySettings& settings) {
   const RunOptions& run = settings.run;
   Json second = nullptr;
-  if (settings.second_family) second = family_name(*settings.second_family);
+  if (settings.second_family) {
+    second = {{"family", family_name(*settings.second_family)},
+              {"levels", {run.first_level, settings.second_last_level}}};
+  }
   return {{"cap", "smooth"},
           {"levels", {run.first_level, run.last_level}},
           {"tolerance", run.tolerance},

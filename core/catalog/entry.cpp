@@ -151,7 +151,8 @@ std::optional<Entry> compute_entry(const CatalogShape& shape, const CatalogFunct
     options.family = *settings.second_family;
     EntrySettings plain = settings;
     plain.certified_faces.reset();
-    Computation other(create_run(shape, settings, options).value(), plain);
+    plain.run.last_level = settings.second_last_level;
+    Computation other(create_run(shape, plain, options).value(), plain);
     if (!other.finish(watch)) return std::nullopt;
     entry.second = SecondFamily{options.family, other.run().limit(), other.run().levels()};
   }

@@ -13,6 +13,12 @@ namespace {
 /// Two seconds to ten.
 constexpr int kCertifiedFaces = 3100;
 
+/// MVS minimizers do not settle: more iterations buy an upper bound that the next level lowers anyway.
+constexpr int kUnsettledIterations = 400;
+
+/// Hub cages of 3-way junctions are evaluable from level 2 on, and a limit takes three levels.
+constexpr int kHubLevels = 4;
+
 /// Where the energy tends to 0, or along thinner and thinner tori.
 constexpr int kVanishingLevels = 2;
 constexpr int kVanishingIterations = 200;
@@ -38,6 +44,7 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
   EntrySettings settings;
   settings.run.weights = functional.weights;
   int levels = third_order(functional.weights) || settles_slowly(shape) ? 4 : 3;
+  if (functional.name == "mvs") settings.run.max_iterations = kUnsettledIterations;
   const std::optional<ExactEnergy> exact = exact_energy(shape, functional);
   if (exact && (!exact->attained || exact->energy == 0)) {
     levels = kVanishingLevels;
@@ -46,7 +53,10 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
     settings.certified_faces = kCertifiedFaces;
   }
   settings.run.last_level = std::min(levels, last_level);
-  if (shape.frame() && principal(functional)) settings.second_family = FrameFamily::kHub;
+  if (shape.frame() && principal(functional)) {
+    settings.second_family = FrameFamily::kHub;
+    settings.second_last_level = std::min(kHubLevels, last_level);
+  }
   return settings;
 }
 

@@ -15,8 +15,9 @@ struct EntrySettings {
   RunOptions run;
   /// Where certificates are wanted: they are taken on the finest level of at most this many faces.
   std::optional<int> certified_faces;
-  /// The other family of cages for the same shape, to the same last level.
+  /// The other family of cages for the same shape, and the last level for it.
   std::optional<FrameFamily> second_family;
+  int second_last_level = 0;
 };
 
 /// Levels from 0 to 3 for bending, to 4 where three levels leave an error above 0.05 % and for third-order functionals;

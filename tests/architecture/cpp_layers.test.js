@@ -30,7 +30,8 @@ describe('the project', () => {
 
   test('includes no layer below', () => expect(upwardIncludes(tree)).toEqual([]));
   test('has a C API on top of the driver', () => expect(apiIncludes(tree)).toEqual([]));
-  test('keeps streams, files and JSON in the command line', () => expect(hostLibraries(tree)).toEqual([]));
+  test('keeps streams and files in the command line, and JSON in it and the catalog', () =>
+    expect(hostLibraries(tree)).toEqual([]));
   test('does not depend on the locale', () => expect(localeDependence(tree)).toEqual([]));
 
   test('links each layer to the one above it', () => {
@@ -77,6 +78,14 @@ describe('the checks fail on', () => {
       expect(hostLibraries(new Map([['core/cli/a.h', text]]))).toEqual([]);
     },
   );
+
+  test('JSON above the catalog, and files in it', () => {
+    const host = (/** @type {string} */ file, /** @type {string} */ name) =>
+      hostLibraries(new Map([[file, `#include <${name}>`]]));
+    expect(host('core/catalog/a.h', 'nlohmann/json.hpp')).toEqual([]);
+    expect(host('core/driver/a.h', 'nlohmann/json.hpp')).toHaveLength(1);
+    expect(host('core/catalog/a.h', 'filesystem')).toHaveLength(1);
+  });
 
   test('a number parsed by the locale, not one in a comment', () => {
     expect(localeDependence(new Map([['core/cage/a.cpp', 'double x = std::stod(s);']]))).toHaveLength(1);

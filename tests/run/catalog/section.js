@@ -188,8 +188,11 @@ function certificates(catalog) {
   };
 }
 
+/** @param {number[]} values @param {(value: number) => string} [words] */
+const range = (values, words = short) => `${words(Math.min(...values))} to ${words(Math.max(...values))}`;
+
 /** @param {number[]} values */
-const range = (values) => `${Math.min(...values).toPrecision(3)} to ${Math.max(...values).toPrecision(3)}`;
+const spread = (values) => (Math.max(...values) / Math.min(...values)).toFixed(2);
 
 /**
  * The paper's section 4.3: costs per junction, and which junctions are cheaper.
@@ -203,16 +206,15 @@ function claims(catalog) {
     catalog.shapes
       .filter(({ name }) => names.includes(name) && find(name, 'mvs_cross'))
       .map(({ name, junctions }) => (find(name, 'mvs_cross')?.energy ?? NaN) / junctions);
-  const symmetric = costs('two-3', 'tetrahedron-frame', 'cube-frame', 'dodecahedron-frame');
+  const symmetric = costs('two-3', 'tetrahedron-frame', 'cube-frame');
   const others = costs('hexagonal-prism-frame', 'truncated-tetrahedron-frame');
-  const four = costs('two-4', 'octahedron-frame');
-  const all = [...symmetric, ...others];
-  if (!symmetric.length || !others.length || !four.length) return [];
-  const growth = Math.max(...all) / Math.min(...all);
+  const dodecahedron = costs('dodecahedron-frame');
+  if (!symmetric.length || !others.length || !dodecahedron.length) return [];
   const cheaper = Math.max(...symmetric) < Math.min(...others);
+  const dearer = dodecahedron[0] > Math.max(...symmetric);
   return [
-    `A 3-way junction costs ${range(all)} in \`mvs_cross\`, a 4-way one ${range(four)}. That the energy is roughly proportional to the number of junctions ${growth < 1.5 ? 'holds' : 'does not hold'} for 3-way ones: their costs differ by a factor of ${growth.toFixed(2)} while the number of junctions grows from 2 to 20.`,
-    `Symmetric junctions (${range(symmetric)}) are ${cheaper ? '' : 'not all '}cheaper than those of the hexagonal prism and the truncated tetrahedron (${range(others)}), ${cheaper ? 'as the paper says' : 'unlike what the paper says'}.`,
+    `With the number of 3-way junctions the energy grows proportionally within a factor of ${spread(symmetric)} for two junctions, tetrahedron and cube, and of ${spread([...symmetric, ...others, ...dodecahedron])} over all frames.`,
+    `The paper's claim that symmetric junctions are cheaper ${cheaper ? 'holds' : 'does not hold'} for its shapes: ${range(symmetric)} against ${range(others)} for the hexagonal prism and the truncated tetrahedron. It ${dearer ? 'does not extend' : 'extends'} to the dodecahedron, whose junctions are as symmetric and cost ${short(dodecahedron[0])}.`,
   ];
 }
 
@@ -233,9 +235,10 @@ function halved(catalog) {
   const pairs = doubled('mvs_cross', ({ junctions }) => junctions === 2);
   const mvs = doubled('mvs', ({ junctions }) => junctions > 0);
   if (!polyhedra.length || !pairs.length || !mvs.length) return [];
-  const list = pairs.map((ratio) => ratio.toFixed(2)).join(', ');
+  const digits = (/** @type {number} */ ratio) => ratio.toFixed(3);
+  const list = pairs.map(digits).join(', ');
   return [
-    `Twice the paper's \`mvs_cross\` is ${range(polyhedra)} times ours for polyhedral frames, and ${list} times for two junctions with more and more arms; twice its \`mvs\` is ${range(mvs)} times ours.`,
+    `Twice the paper's \`mvs_cross\` is ${range(polyhedra, digits)} times ours for polyhedral frames, and ${list} times for two junctions with more and more arms; twice its \`mvs\` is ${range(mvs, digits)} times ours.`,
   ];
 }
 

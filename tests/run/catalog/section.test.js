@@ -59,4 +59,34 @@ describe('the section', () => {
     ['the starts', '| two-4 | mvs_cross | 3 | 9000.5000 | 9001.0000 | 9001.5000 | 1.1e-4 |'],
     ['certificates', '| two-4 | 0 (2) |  |'],
   ])('has %s', (_, line) => expect(lines).toContain(line));
+
+  test('judges the claims by the costs of junctions', () => {
+    const frames = [['two-3', 2, 10], ['tetrahedron-frame', 4, 11], ['hexagonal-prism-frame', 12, 12], ['dodecahedron-frame', 20, 20]]; // prettier-ignore
+    const costs = (/** @type {number} */ prism) =>
+      catalogSection({
+        shapes: frames.map(([name, junctions]) => ({
+          name: String(name),
+          genus: 2,
+          junctions: Number(junctions),
+          arms: 3,
+        })),
+        functionals: catalog.functionals,
+        entries: frames.map(([name, junctions, cost]) =>
+          entry(
+            String(name),
+            'mvs_cross',
+            Number(junctions) * (name === 'hexagonal-prism-frame' ? prism : Number(cost)),
+          ),
+        ),
+        starts: [],
+      });
+    expect(costs(12)).toContain(
+      'within a factor of 1.10 for two junctions, tetrahedron and cube, and of 2.00 over all',
+    );
+    expect(costs(12)).toContain('cheaper holds for its shapes: 10 to 11 against 12 to 12');
+    expect(costs(12)).toContain(
+      'It does not extend to the dodecahedron, whose junctions are as symmetric and cost 20.',
+    );
+    expect(costs(10.5)).toContain('cheaper does not hold');
+  });
 });
