@@ -5,7 +5,7 @@
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { openAddress, screenshots } from './page.js';
-import { difference, pictureOf } from './pictures.js';
+import { cameraRests, difference, pictureOf } from './pictures.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -48,7 +48,7 @@ async function drag(page, index) {
   await page.mouse.move(x + 90, y + 50, { steps: 3 });
   await page.mouse.up();
   await page.mouse.move(0, 0);
-  await page.waitForFunction((was) => new URLSearchParams(location.search).get('camera') !== was, camera);
+  await cameraRests(page, camera);
 }
 
 /** @param {string} text as the page prints numbers */
@@ -218,7 +218,7 @@ async function turn(page) {
   const camera = new URL(page.url()).searchParams.get('camera');
   await page.locator('#panes canvas').focus();
   for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowUp']) await page.keyboard.press(key);
-  await page.waitForFunction((was) => new URLSearchParams(location.search).get('camera') !== was, camera);
+  await cameraRests(page, camera);
   // The focus has an outline, which is not of the surfaces.
   await page.locator('#panes canvas').blur();
 }

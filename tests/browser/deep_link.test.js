@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { builtPage, drawn, energies, measured, openAddress, screenshots, status } from './page.js';
-import { difference, pictureOf } from './pictures.js';
+import { cameraRests, difference, pictureOf } from './pictures.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -122,7 +122,7 @@ describe('an address that names an entry', () => {
     await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2 + 40, { steps: 4 });
     await page.mouse.up();
     await page.mouse.move(0, 0);
-    await page.waitForFunction((was) => new URLSearchParams(location.search).get('camera') !== was, '10,40,1.2');
+    await cameraRests(page, '10,40,1.2');
     const turned = await copied(page);
     await page.getByRole('button', { name: 'Copy address' }).waitFor();
     const left = await pictureOf(page, page.locator('#surface'));

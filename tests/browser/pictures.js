@@ -12,6 +12,21 @@ async function settled(page) {
 }
 
 /**
+ * Waits until the address has not changed for longer than a camera rests before it is told: on a slow machine it rests in the middle of a
+ * drag as well.
+ * @param {Page} page
+ * @param {string | null} before the camera that it had
+ */
+export async function cameraRests(page, before) {
+  await page.waitForFunction((was) => new URLSearchParams(location.search).get('camera') !== was, before);
+  let address = '';
+  while (address !== page.url()) {
+    address = page.url();
+    await page.waitForTimeout(800);
+  }
+}
+
+/**
  * @param {Page} page
  * @param {Locator} part
  * @returns {Promise<string>} PNG, in base 64
