@@ -38,6 +38,7 @@ describe('a run', () => {
       'functional',
       'cap',
       'group',
+      'instruction_set',
       'energies',
       'quadrature_error',
       'extrapolated',

@@ -73,7 +73,7 @@ std::map<std::string, std::vector<LevelReport>> expect_convergence(const char* w
 TEST(FramesSlow, bending_of_every_level_converges_in_few_evaluations_and_of_the_last_in_no_more_than_before) {
   const Exceptions slow{{"flag dodecahedron-frame", 300}, {"hub dodecahedron-frame", 180}};
   // Where the surface makes use of the quadrature's error: the finer rule's energy is up to 0.5 % higher.
-  const Exceptions stalled{{"flag dodecahedron-frame", 460}};
+  const Exceptions stalled{{"flag dodecahedron-frame", 820}};
   for (const auto& [key, levels] : expect_convergence("bending=1", slow, stalled)) {
     ASSERT_EQ(levels.size(), 4u);
     EXPECT_LE(levels[3].evaluations, 1.3 * levels[2].evaluations) << key;
