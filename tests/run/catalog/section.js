@@ -48,7 +48,10 @@ function lookup({ entries }) {
 }
 
 /** @param {number} share */
-const percent = (share) => `${share >= 0 ? '+' : '−'}${Math.abs(100 * share).toFixed(Math.abs(share) < 0.1 ? 1 : 0)} %`;
+const percent = (share) => {
+  const size = Math.abs(100 * share);
+  return `${share >= 0 ? '+' : '−'}${size.toFixed(size < 0.1 ? 4 : size < 10 ? 1 : 0)} %`;
+};
 
 /** Table 1, cell by cell. @param {Catalog} catalog @returns {Table[]} */
 function tableOne(catalog) {
@@ -118,7 +121,15 @@ function perJunction(catalog, arms) {
  */
 function preferences(catalog) {
   const find = lookup(catalog);
-  const cost = (/** @type {Shape} */ shape) => find(shape.name, 'mvs_cross')?.energy ?? NaN;
+  const of = (/** @type {Shape} */ shape) => find(shape.name, 'mvs_cross');
+  const cost = (/** @type {Shape} */ shape) => of(shape)?.energy ?? NaN;
+  const bar = (/** @type {Shape} */ shape) => of(shape)?.error ?? 0;
+  /** @param {Shape} few @param {Shape} many */
+  const preferred = (few, many) => {
+    const gain = cost(few) - cost(many);
+    if (Math.abs(gain) <= bar(few) + bar(many)) return 'equal within the bars';
+    return gain > 0 ? 'yes' : 'no';
+  };
   const rows = catalog.shapes.flatMap((few, i) =>
     catalog.shapes
       .slice(i + 1)
@@ -129,7 +140,7 @@ function preferences(catalog) {
         short(cost(few)),
         `${many.junctions} × ${many.arms}-way, ${many.name}`,
         short(cost(many)),
-        cost(many) < cost(few) ? 'yes' : 'no',
+        preferred(few, many),
       ]),
   );
   return {
