@@ -7,12 +7,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-#include <Eigen/SparseCholesky>
 
 #include "driver/rules.h"
 #include "driver/surface.h"
 #include "mesh/hierarchy.h"
 #include "optimize/hessian_assembly.h"
+#include "optimize/sparse_cholesky.h"
 
 namespace umbilic {
 namespace {
@@ -45,8 +45,8 @@ int negative_eigenvalues(const Eigen::MatrixXd& symmetric) {
   return static_cast<int>((values.array() < 0).count());
 }
 
-/// Assembling and factoring, as parts of the whole.
-constexpr double kAssemblyShare = 0.7;
+/// Assembling, as a part of the whole; the rest is factoring.
+constexpr double kAssemblyShare = 0.5;
 
 }  // namespace
 
@@ -55,6 +55,7 @@ struct Certificate::State {
   Surface surface;
   Unknowns unknowns;
   HessianAssembly assembly;
+  SparseCholesky factor{SparseCholesky::Pivots::kNonzero};
   bool assembled = false, ready = false;
   CertificateReport report;
 
@@ -73,13 +74,12 @@ struct Certificate::State {
   /// neg(K + tau S) on the complement of the gauge directions, from [M U G; U^T -C^-1 0; G^T 0 0] with K + tau S = M +
   /// U C U^T.
   void count() {
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor(assembly.combine(1, report.tau));
-    int negative = static_cast<int>((factor.vectorD().array() < 0).count());
+    int negative = factor.negative();
     const Eigen::MatrixXd gauge = gauge_directions(cage.control, report.gauge == 10);
     const Eigen::Index rank = assembly.factors().cols();
     Eigen::MatrixXd border(unknowns.count(), rank + gauge.cols());
     border << assembly.factors(), gauge;
-    Eigen::MatrixXd schur = -border.transpose() * Eigen::MatrixXd(factor.solve(border));
+    Eigen::MatrixXd schur = -border.transpose() * factor.solve(border);
     if (rank == 2) schur.topLeftCorner<2, 2>() -= Eigen::Matrix2d{{0, 1}, {1, 0}};
     negative += negative_eigenvalues((schur + schur.transpose()) / 2);
     report.negative = negative - static_cast<int>(gauge.cols()) - (rank == 2 ? 1 : 0);
@@ -108,7 +108,8 @@ Certificate::~Certificate() = default;
 bool Certificate::step() {
   if (!state_->assembled) {
     state_->assembled = state_->assembly.advance();
-  } else if (!state_->ready) {
+    if (state_->assembled) state_->factor.begin(state_->assembly.combine(1, state_->report.tau));
+  } else if (!state_->ready && state_->factor.advance()) {
     state_->count();
   }
   return state_->ready;
@@ -116,7 +117,8 @@ bool Certificate::step() {
 
 double Certificate::progress() const {
   if (state_->ready) return 1;
-  return kAssemblyShare * (state_->assembled ? 1 : state_->assembly.progress());
+  if (!state_->assembled) return kAssemblyShare * state_->assembly.progress();
+  return kAssemblyShare + (1 - kAssemblyShare) * state_->factor.progress();
 }
 
 const CertificateReport& Certificate::report() const { return state_->report; }

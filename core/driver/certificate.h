@@ -40,8 +40,7 @@ class Certificate {
   Certificate& operator=(Certificate&&) noexcept;
   ~Certificate();
 
-  /// Does one unit of work, of about the cost of an energy evaluation (but for one factorization); returns whether the
-  /// report is ready.
+  /// Does one unit of work, of about the cost of an energy evaluation; returns whether the report is ready.
   bool step();
   /// In [0, 1].
   double progress() const;

@@ -26,7 +26,7 @@ HessianMetric::HessianMetric(const PatchLayout& layout, const Unknowns& unknowns
 
 void HessianMetric::begin(const Points& control) {
   assembly_.begin(control);
-  assembled_ = ready_ = rose_ = false;
+  assembled_ = factoring_ = ready_ = rose_ = false;
   mu_ = std::max(mu_ / fall_, kSmallestMu);
   settled_ = mu_ <= kSettledMu;
   size_gradient_ = unknowns_.pull_back(control.rowwise() - control.colwise().mean());
@@ -37,30 +37,26 @@ bool HessianMetric::advance() {
     assembled_ = assembly_.advance();
     if (assembled_ && assembly_.factors().cols() > 0) size_gradient_ = assembly_.factors().col(0);
   } else if (!ready_) {
-    definite_ = factor();
-    ready_ = definite_ || mu_ >= kLargestMu;
-    if (!ready_) {
-      mu_ *= kFactor;
-      rose_ = settled_ = true;
-    } else {
-      fall_ = rose_ ? kFactor : std::min(fall_ * kFactor, kLargestFall);
-    }
+    if (!factoring_) factor_.begin(assembly_.combine(1, mu_));
+    factoring_ = !factor_.advance();
+    if (!factoring_) end_factoring();
   }
   return ready_;
 }
 
-bool HessianMetric::factor() {
-  const Eigen::SparseMatrix<double> matrix = assembly_.combine(1, mu_);
-  if (!analyzed_) factor_.analyzePattern(matrix);
-  analyzed_ = true;
-  factor_.factorize(matrix);
-  if (factor_.info() != Eigen::Success) return false;
-  solved_ = factor_.solve(size_gradient_);
-  return true;
+void HessianMetric::end_factoring() {
+  ready_ = factor_.succeeded() || mu_ >= kLargestMu;
+  if (!ready_) {
+    mu_ *= kFactor;
+    rose_ = settled_ = true;
+    return;
+  }
+  fall_ = rose_ ? kFactor : std::min(fall_ * kFactor, kLargestFall);
+  if (factor_.succeeded()) solved_ = factor_.solve(size_gradient_);
 }
 
 Eigen::VectorXd HessianMetric::solve(const Eigen::VectorXd& gradient) const {
-  if (!definite_) return gradient;  // a surface too irregular for any metric: the identity
+  if (!factor_.succeeded()) return gradient;  // a surface too irregular for any metric: the identity
   Eigen::VectorXd result = factor_.solve(gradient);
   return result - (size_gradient_.dot(result) / size_gradient_.dot(solved_)) * solved_;
 }

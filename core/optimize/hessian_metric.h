@@ -3,9 +3,8 @@
 /// The functional's Hessian, made positive definite by a multiple of the Sobolev product, as the optimizer's metric.
 #pragma once
 
-#include <Eigen/SparseCholesky>
-
 #include "optimize/hessian_assembly.h"
+#include "optimize/sparse_cholesky.h"
 #include "optimize/surface_metric.h"
 
 namespace umbilic {
@@ -40,12 +39,12 @@ class HessianMetric : public SurfaceMetric {
   const Eigen::VectorXd& size_gradient() const { return size_gradient_; }
 
  private:
-  bool factor();
+  void end_factoring();
 
   const Unknowns& unknowns_;
   HessianAssembly assembly_;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
-  bool assembled_ = false, ready_ = false, analyzed_ = false, settled_ = false, definite_ = false, rose_ = false;
+  SparseCholesky factor_{SparseCholesky::Pivots::kPositive};
+  bool assembled_ = false, factoring_ = false, ready_ = false, settled_ = false, rose_ = false;
   double mu_, fall_ = 1;
   Eigen::VectorXd size_gradient_, solved_;  ///< a, and (H + mu S)^-1 a
 };

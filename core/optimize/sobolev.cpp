@@ -36,26 +36,27 @@ bool SobolevMetric::advance() {
         assembly_.add_scalar(set, patch, form_.patch(set, patch), sums_);
         return form_.samples(set);
       };
-      if (cursor_.visit(energy_.layout(), kSamplesPerPart, add)) stage_ = Stage::kFactor;
+      if (cursor_.visit(energy_.layout(), kSamplesPerPart, add)) stage_ = Stage::kSum;
       break;
     }
-    case Stage::kFactor: {
+    case Stage::kSum: {
       assembly_.eliminate(sums_);
       Eigen::SparseMatrix<double> matrix = assembly_.lower(sums_.values);
       if (unknowns_.coarse()) matrix = unknowns_.reduce(matrix);
-      if (!analyzed_) factor_.analyzePattern(matrix);
-      analyzed_ = true;
-      factor_.factorize(matrix);
-      stage_ = Stage::kReady;
-      break;
+      factor_.begin(std::move(matrix));
+      stage_ = Stage::kFactor;
+      [[fallthrough]];
     }
+    case Stage::kFactor:
+      if (factor_.advance()) stage_ = Stage::kReady;
+      break;
     case Stage::kReady: break;
   }
   return stage_ == Stage::kReady;
 }
 
 Eigen::VectorXd SobolevMetric::solve(const Eigen::VectorXd& gradient) const {
-  if (factor_.info() != Eigen::Success) return gradient;  // a surface too irregular for its own metric: the identity
+  if (!factor_.succeeded()) return gradient;  // a surface too irregular for its own metric: the identity
   if (!scalar_) return factor_.solve(gradient);
   const Eigen::Map<const Points> rows(gradient.data(), gradient.size() / 3, 3);
   Eigen::VectorXd result(gradient.size());

@@ -3,11 +3,11 @@
 /// The Sobolev inner product of a surface as the optimizer's metric.
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <memory>
 
 #include "optimize/patch_assembly.h"
 #include "optimize/sobolev_form.h"
+#include "optimize/sparse_cholesky.h"
 #include "optimize/surface_metric.h"
 #include "optimize/unknowns.h"
 
@@ -29,15 +29,14 @@ class SobolevMetric : public SurfaceMetric {
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
 
  private:
-  enum class Stage { kArea, kPatches, kFactor, kReady };
+  enum class Stage { kArea, kPatches, kSum, kFactor, kReady };
 
   const SurfaceEnergy& energy_;
   const Unknowns& unknowns_;
   bool scalar_;
   PatchAssembly assembly_;
   SobolevForm form_;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
-  bool analyzed_ = false;
+  SparseCholesky factor_{SparseCholesky::Pivots::kPositive};
 
   Stage stage_ = Stage::kArea;
   Points control_;
