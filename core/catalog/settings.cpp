@@ -6,12 +6,10 @@
 #include <algorithm>
 
 #include "catalog/reference.h"
+#include "driver/certificate.h"
 
 namespace umbilic {
 namespace {
-
-/// Two seconds to ten.
-constexpr int kCertifiedFaces = 3100;
 
 /// MVS minimizers do not settle: more iterations buy an upper bound that the next level lowers anyway.
 constexpr int kUnsettledIterations = 400;
@@ -50,7 +48,7 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
     levels = kVanishingLevels;
     settings.run.max_iterations = kVanishingIterations;
   } else if (shape.arms <= kCheapArms || principal(functional)) {
-    settings.certified_faces = kCertifiedFaces;
+    settings.certified_faces = kMaxCertifiedFaces;
   }
   settings.run.last_level = std::min(levels, last_level);
   if (shape.frame() && principal(functional)) {
