@@ -21,9 +21,6 @@ constexpr int kHubLevels = 4;
 constexpr int kVanishingLevels = 2;
 constexpr int kVanishingIterations = 200;
 
-/// Caps over valences above twice this take half a minute, which only the principal functionals are worth.
-constexpr int kCheapArms = 6;
-
 /// Those whose minimizers are expected to converge, in the paper as well.
 bool principal(const CatalogFunctional& functional) {
   return functional.name == "bending" || functional.name == "mvs_cross";
@@ -47,7 +44,7 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
   if (exact && (!exact->attained || exact->energy == 0)) {
     levels = kVanishingLevels;
     settings.run.max_iterations = kVanishingIterations;
-  } else if (shape.arms <= kCheapArms || principal(functional)) {
+  } else {
     settings.certified_faces = kMaxCertifiedFaces;
   }
   settings.run.last_level = std::min(levels, last_level);
