@@ -105,7 +105,7 @@ void RingNet::build_refinements() {
 }
 
 DerivativeRows RingNet::face_basis(int cell, double u, double v) const {
-  assert(u >= 0 && v >= 0 && std::max(u, v) > 0 && std::max(u, v) <= 1);
+  assert(u >= 0 && v >= 0 && std::max(u, v) <= 1 && (cell > 0 || std::max(u, v) > 0));
   int steps = 0;
   if (cell == 0) {
     for (; std::max(u, v) <= 1; ++steps) {
