@@ -61,6 +61,7 @@ struct Groups {
 
 /// Groups in an order of approximate minimum degree.
 std::vector<int> minimum_degree(const Groups& groups) {
+  if (groups.count() == 0) return {};  // Eigen compresses no empty matrix
   Matrix graph(groups.count(), groups.count());
   std::vector<int> sizes(groups.count());
   for (int g = 0; g < groups.count(); ++g) sizes[g] = static_cast<int>(groups.neighbours[g].size());
