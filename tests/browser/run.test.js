@@ -263,6 +263,7 @@ describe('the worker', () => {
     const { page, errors } = await openPage(served.browser, served.url);
     await page.locator('[name=last]').selectOption('4');
     await page.locator('[name=first]').selectOption('2');
+    await page.getByRole('switch', { name: 'Keep symmetry' }).uncheck(); // or the run would be over too soon
     await button(page, 'Start').click();
     await evaluated(page, 10);
     await page.waitForTimeout(2500); // a copy of the surface is made every two seconds
