@@ -191,6 +191,12 @@ describe('a user', () => {
 
   test('works with the keyboard alone: to Start by Tab, Enter, and Enter again to pause', async () => {
     const { page } = await openPage(served.browser, served.url);
+    // Without symmetry, or the run would be over too soon; set without moving the focus.
+    await page.evaluate(() => {
+      const keep = /** @type {HTMLInputElement} */ (document.querySelector('[name=symmetry]'));
+      keep.checked = false;
+      keep.dispatchEvent(new Event('change', { bubbles: true }));
+    });
     const focused = () =>
       page.evaluate(() => document.activeElement?.id || document.activeElement?.getAttribute('name'));
     const seen = [];
