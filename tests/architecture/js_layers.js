@@ -108,11 +108,13 @@ const layers = {
   state: ['words', 'address', 'worker/protocol.js'],
   files: ['words', 'address', 'state'],
   scene: ['colour', 'address'],
+  pages: [],
   views: ['words', 'colour', 'plot', 'address', 'state', 'scene'],
 };
 
 /**
- * A page's own files, pages/<page>/, are on top of the common ones, and its views on top of these. Pages do not know each other.
+ * A page's own files, pages/<page>/, are on top of the common ones, those in pages/ among them, and its views on top of these. Pages do
+ * not know each other.
  * @param {string} folder below web/
  * @returns {string[] | undefined} what it may import
  */

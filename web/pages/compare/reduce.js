@@ -3,6 +3,7 @@
  * @file The comparison's state at the start, and what actions make of it. Pure.
  */
 import { FEWEST, MOST, entryName, parseCompareAddress } from '../../address/compare.js';
+import { reduceView } from '../view_state.js';
 
 /** @import {CompareAddress, EntryName} from '../../address/compare.js' */
 /** @import {Catalog} from '../../files/catalog.js' */
@@ -73,15 +74,7 @@ export function reduce(state, action) {
       return entries.length < MOST ? withEntries(state, [...entries, nextEntry(state)]) : state;
     case 'entryRemoved':
       return entries.length > FEWEST ? withEntries(state, entries.toSpliced(action.index, 1)) : state;
-    case 'shadingChosen':
-      return { ...state, shading: action.shading };
-    case 'cameraMoved':
-      return { ...state, camera: action.camera };
-    case 'fitPressed':
-      return { ...state, fits: state.fits + 1 };
-    case 'themeChosen':
-      return { ...state, theme: action.theme };
-    case 'noticesDismissed':
-      return { ...state, notices: [] };
+    default:
+      return reduceView(state, action);
   }
 }

@@ -4,11 +4,9 @@
  */
 
 /** @import {Mesh} from '../../../wasm/types.js' */
-/** @import {Camera} from '../../address/camera.js' */
 /** @import {EntryName} from '../../address/compare.js' */
-/** @import {Shading} from '../../colour/quantities.js' */
 /** @import {Catalog} from '../../files/catalog.js' */
-/** @import {Theme} from '../../files/theme.js' */
+/** @import {ViewAction, ViewState} from '../view_state.js' */
 
 /**
  * A surface of unit size with curvatures spread over its area, or why there is none.
@@ -16,15 +14,12 @@
  */
 
 /**
- * @typedef {object} State
+ * @typedef {ViewState & Own} State
+ *
+ * @typedef {object} Own
  * @property {Catalog | null} catalog
  * @property {EntryName[]} entries side by side, from the left
  * @property {Record<string, Shown>} surfaces by their entries' names; those that are missing are being loaded
- * @property {Shading} shading
- * @property {Camera} camera of all of them
- * @property {number} fits how often the view was asked to fit the surfaces
- * @property {Theme} theme
- * @property {string[]} notices sentences that the reader has not dismissed
  */
 
 /**
@@ -34,11 +29,7 @@
  *   | {type: 'entryChosen', index: number, change: Partial<EntryName>}
  *   | {type: 'entryAdded'}
  *   | {type: 'entryRemoved', index: number}
- *   | {type: 'shadingChosen', shading: Shading}
- *   | {type: 'cameraMoved', camera: Camera}
- *   | {type: 'fitPressed'}
- *   | {type: 'themeChosen', theme: Theme}
- *   | {type: 'noticesDismissed'}} Action
+ *   | ViewAction} Action
  */
 
 export {};

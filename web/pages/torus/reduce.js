@@ -3,6 +3,7 @@
  * @file The torus page's state at the start, and what actions make of it. Pure.
  */
 import { parseTorusAddress } from '../../address/torus.js';
+import { reduceView } from '../view_state.js';
 import { blendOf, ratios, weightsOf } from './family.js';
 
 /** @import {TorusAddress} from '../../address/torus.js' */
@@ -66,15 +67,7 @@ export function reduce(state, action) {
       const { index } = action;
       return { ...state, pointed: index === null ? null : Math.min(ratios.length - 1, Math.max(0, index)) };
     }
-    case 'shadingChosen':
-      return { ...state, shading: action.shading };
-    case 'cameraMoved':
-      return { ...state, camera: action.camera };
-    case 'fitPressed':
-      return { ...state, fits: state.fits + 1 };
-    case 'themeChosen':
-      return { ...state, theme: action.theme };
-    case 'noticesDismissed':
-      return { ...state, notices: [] };
+    default:
+      return reduceView(state, action);
   }
 }

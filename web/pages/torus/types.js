@@ -4,10 +4,8 @@
  */
 
 /** @import {FunctionalName, TorusMinimizer} from '../../../wasm/types.js' */
-/** @import {Camera} from '../../address/camera.js' */
-/** @import {Shading} from '../../colour/quantities.js' */
-/** @import {Theme} from '../../files/theme.js' */
 /** @import {TorusEnergies} from '../../worker/tori.js' */
+/** @import {ViewAction, ViewState} from '../view_state.js' */
 
 /** Two functionals and their weights, which are at least 0 and not both 0. @typedef {{names: [FunctionalName, FunctionalName], weights: [number, number]}} Blend */
 
@@ -16,17 +14,14 @@
 /** The torus of least energy, and its energies; they are null where there is no such torus. @typedef {{minimizer: TorusMinimizer, energies: TorusEnergies | null}} Least */
 
 /**
- * @typedef {object} State
+ * @typedef {ViewState & Own} State
+ *
+ * @typedef {object} Own
  * @property {Blend} blend
  * @property {Family | null} family `energies` at the ratios of family.js
  * @property {Least | null} least of the blend, or of one that was there a moment ago
  * @property {TorusMinimizer[]} path of the pair's blends, at the shares of family.js; empty until it is there
  * @property {number | null} pointed the place among the ratios whose energies are told
- * @property {Shading} shading
- * @property {Camera} camera
- * @property {number} fits how often the view was asked to fit the torus
- * @property {Theme} theme
- * @property {string[]} notices sentences that the reader has not dismissed
  */
 
 /**
@@ -38,11 +33,7 @@
  *   | {type: 'weightsChosen', weights: Blend['weights']}
  *   | {type: 'functionalChosen', index: 0 | 1, name: FunctionalName}
  *   | {type: 'ratioPointed', index: number | null}
- *   | {type: 'shadingChosen', shading: Shading}
- *   | {type: 'cameraMoved', camera: Camera}
- *   | {type: 'fitPressed'}
- *   | {type: 'themeChosen', theme: Theme}
- *   | {type: 'noticesDismissed'}} Action
+ *   | ViewAction} Action
  */
 
 export {};
