@@ -14,7 +14,7 @@ constexpr std::array<double, 2> kSigns{1, -1};
 
 std::vector<Vector3> tetrahedron() { return {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}; }
 
-std::vector<Vector3> cube() {
+std::vector<Vector3> cube_vertices() {
   std::vector<Vector3> vertices;
   for (const double z : kSigns) {
     for (const double y : kSigns) {
@@ -60,7 +60,7 @@ std::vector<Vector3> truncated_tetrahedron() {
 /// A cube's vertices and the even permutations of (0, ±phi, ±1/phi), phi the golden ratio.
 std::vector<Vector3> dodecahedron() {
   const double phi = (1 + std::sqrt(5.)) / 2;
-  std::vector<Vector3> vertices = cube();
+  std::vector<Vector3> vertices = cube_vertices();
   for (int axis = 0; axis < 3; ++axis) {
     for (const double a : kSigns) {
       for (const double b : kSigns)
@@ -75,7 +75,7 @@ std::vector<Vector3> dodecahedron() {
 const std::vector<Polyhedron>& polyhedra() {
   static const std::vector<Polyhedron> all{
       {"tetrahedron-frame", "a tetrahedron", 4, 6, tetrahedron},
-      {"cube-frame", "a cube", 8, 12, cube},
+      {"cube-frame", "a cube", 8, 12, cube_vertices},
       {"octahedron-frame", "an octahedron", 6, 12, octahedron},
       {"hexagonal-prism-frame", "a hexagonal prism", 12, 18, hexagonal_prism},
       {"truncated-tetrahedron-frame", "a truncated tetrahedron", 12, 18, truncated_tetrahedron},

@@ -19,7 +19,7 @@ namespace umbilic {
 
 namespace {
 
-struct Arguments {
+struct CageArguments {
   std::string name;
   std::string output = "-";
   CageOptions options;
@@ -68,7 +68,7 @@ std::optional<std::string> misplaced_option(const CLI::App& command, const CageN
   return std::nullopt;
 }
 
-int run(const CLI::App& command, const Arguments& arguments) {
+int run(const CLI::App& command, const CageArguments& arguments) {
   if (arguments.list) return print(list_of_cages()) ? kEnded : kCannotWrite;
   if (arguments.name.empty()) return fail(kBadUsage, "cage needs a NAME, or --list");
   const auto cage = generate_cage(arguments.name, arguments.options);
@@ -84,7 +84,7 @@ int run(const CLI::App& command, const Arguments& arguments) {
 
 void add_cage_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("cage", "Write a generated cage as OBJ: cube, torus, frames");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CageArguments>();
   CageOptions& options = arguments->options;
   command->add_option("NAME", arguments->name, "Which cage; see --list")->type_name("");
   command->add_flag("--list", arguments->list, "Print the names of all cages, with their genus");

@@ -24,7 +24,7 @@ namespace umbilic {
 
 namespace {
 
-struct Arguments {
+struct CatalogArguments {
   std::string folder;
   std::set<std::string> shapes, functionals;  ///< empty: all
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -41,7 +41,8 @@ struct Arguments {
 /// The tasks of a command over one folder, their results, and what went wrong.
 class Session {
  public:
-  Session(CatalogFolder folder, const Arguments& arguments) : folder_(std::move(folder)), arguments_(arguments) {}
+  Session(CatalogFolder folder, const CatalogArguments& arguments)
+      : folder_(std::move(folder)), arguments_(arguments) {}
 
   int run() {
     for (const CatalogShape& shape : catalog_shapes()) {
@@ -120,7 +121,7 @@ class Session {
   }
 
   CatalogFolder folder_;
-  const Arguments& arguments_;
+  const CatalogArguments& arguments_;
   std::vector<CatalogTask> tasks_;
   std::mutex mutex_;  // for everything below, and for `folder_` while tasks run
   std::atomic<bool> failed_ = false;
@@ -128,7 +129,7 @@ class Session {
   int compared_ = 0, different_ = 0;
 };
 
-int run(const Arguments& arguments) {
+int run(const CatalogArguments& arguments) {
   Result<CatalogFolder> folder = CatalogFolder::open(arguments.folder);
   if (!folder) return fail(kBadInput, folder.error().message);
   return Session(std::move(folder).value(), arguments).run();
@@ -150,7 +151,7 @@ CLI::Validator known(const std::vector<Named>& list) {
 
 void add_catalog_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("catalog", "Compute the minimizers of the catalog and their energies");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CatalogArguments>();
   command->add_option("--out", arguments->folder, "The catalog's folder: catalog.json and a file per minimizer")
       ->type_name("DIR")
       ->required();

@@ -16,14 +16,14 @@ namespace umbilic {
 
 namespace {
 
-struct Arguments {
+struct CheckGradientArguments {
   std::string cage;
   Objective objective;
   CapKind cap = CapKind::kSmooth;
   bool json = false;
 };
 
-std::string json(const CageFile& input, const Arguments& arguments, const GradientReport& gradient) {
+std::string json(const CageFile& input, const CheckGradientArguments& arguments, const GradientReport& gradient) {
   Json report = json_report(input);
   add_objective(report, arguments.objective);
   add_cap(report, arguments.cap);
@@ -31,7 +31,7 @@ std::string json(const CageFile& input, const Arguments& arguments, const Gradie
   return to_text(report);
 }
 
-std::string table(const CageFile& input, const Arguments& arguments, const GradientReport& gradient) {
+std::string table(const CageFile& input, const CheckGradientArguments& arguments, const GradientReport& gradient) {
   return input_line(input) +
          fmt::format("gradient of {} at level {}, cap {}: {} unknowns, {} random directions\n",
                      arguments.objective.words(), gradient.level, name_of(arguments.cap), gradient.unknowns,
@@ -42,7 +42,7 @@ std::string table(const CageFile& input, const Arguments& arguments, const Gradi
                      gradient.ok ? "<=" : ">", gradient.tolerance, gradient.ok ? "ok" : "mismatch");
 }
 
-int run(const Arguments& arguments) {
+int run(const CheckGradientArguments& arguments) {
   const auto input = load_cage(arguments.cage);
   if (!input) return fail(kBadInput, input.error().message);
   const auto gradient = check_gradient(input->cage, arguments.objective.weights, arguments.cap);
@@ -57,7 +57,7 @@ int run(const Arguments& arguments) {
 void add_check_gradient_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "check-gradient", "Compare the analytic gradient with differences of the energy; exit code 1 on a mismatch");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckGradientArguments>();
   add_cage_argument(*command, arguments->cage);
   add_objective_options(*command, arguments->objective);
   add_cap_option(*command, arguments->cap);

@@ -16,14 +16,14 @@ namespace umbilic {
 
 namespace {
 
-struct Arguments {
+struct EvaluateArguments {
   std::string cage;
   CapKind cap = CapKind::kSmooth;
   int levels = 0;
   bool json = false;
 };
 
-std::string json(const CageFile& input, const Arguments& arguments, const EvaluationReport& evaluation) {
+std::string json(const CageFile& input, const EvaluateArguments& arguments, const EvaluationReport& evaluation) {
   Json report = json_report(input);
   add_cap(report, arguments.cap);
   add_energies(report, evaluation.energies);
@@ -31,7 +31,7 @@ std::string json(const CageFile& input, const Arguments& arguments, const Evalua
   return to_text(report);
 }
 
-int run(const Arguments& arguments) {
+int run(const EvaluateArguments& arguments) {
   const auto input = load_cage(arguments.cage);
   if (!input) return fail(kBadInput, input.error().message);
   const auto evaluation = evaluate(input->cage, arguments.cap, arguments.levels);
@@ -48,7 +48,7 @@ int run(const Arguments& arguments) {
 
 void add_evaluate_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("evaluate", "Print the energies of a cage's surface as it is");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<EvaluateArguments>();
   add_cage_argument(*command, arguments->cage);
   add_cap_option(*command, arguments->cap);
   const auto parse_level = [](const std::string& text) { return parse_count(text, 0, kMostLevels); };

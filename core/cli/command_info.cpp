@@ -16,7 +16,7 @@ namespace umbilic {
 
 namespace {
 
-struct Arguments {
+struct InfoArguments {
   std::string cage;
   bool json = false;
 };
@@ -44,7 +44,7 @@ std::string table(const CageFile& input) {
                                    : fmt::format("  its surface cannot be evaluated: {}\n", shape.obstacle));
 }
 
-int run(const Arguments& arguments) {
+int run(const InfoArguments& arguments) {
   const auto input = load_cage(arguments.cage);
   if (!input) return fail(kBadInput, input.error().message);
   return print(arguments.json ? to_text(json_report(*input)) : table(*input)) ? kEnded : kCannotWrite;
@@ -54,7 +54,7 @@ int run(const Arguments& arguments) {
 
 void add_info_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("info", "Check a cage and count its parts, components and genus");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<InfoArguments>();
   add_cage_argument(*command, arguments->cage);
   add_json_flag(*command, arguments->json);
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

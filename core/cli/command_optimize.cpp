@@ -21,7 +21,7 @@ namespace umbilic {
 
 namespace {
 
-struct Arguments {
+struct OptimizeArguments {
   std::string cage;
   Objective objective;
   RunOptions options;
@@ -74,7 +74,7 @@ struct Ending {
   std::optional<CertificateReport> certificate;
 };
 
-std::string json(const CageFile& input, const Arguments& arguments, const Ending& ending) {
+std::string json(const CageFile& input, const OptimizeArguments& arguments, const Ending& ending) {
   const Run& run = ending.run;
   Json report = json_report(input);
   add_objective(report, arguments.objective);
@@ -87,7 +87,7 @@ std::string json(const CageFile& input, const Arguments& arguments, const Ending
   return to_text(report);
 }
 
-std::string table(const CageFile& input, const Arguments& arguments, const Ending& ending) {
+std::string table(const CageFile& input, const OptimizeArguments& arguments, const Ending& ending) {
   const Run& run = ending.run;
   return input_line(input) +
          fmt::format("minimized {}, cap {}, {}\n", arguments.objective.words(), name_of(arguments.options.cap),
@@ -106,7 +106,7 @@ std::optional<CertificateReport> certify(Certificate certificate, const Interrup
 }
 
 /// Writes everything that can be written, whatever fails.
-int write_results(const CageFile& input, const Arguments& arguments, const Ending& ending) {
+int write_results(const CageFile& input, const OptimizeArguments& arguments, const Ending& ending) {
   const Run& run = ending.run;
   int exit_code = kEnded;
   const auto write = [&](const std::optional<std::string>& path, const auto& text) {
@@ -125,7 +125,7 @@ int write_results(const CageFile& input, const Arguments& arguments, const Endin
   return print(table(input, arguments, ending)) ? exit_code : kCannotWrite;
 }
 
-int run(const Arguments& arguments) {
+int run(const OptimizeArguments& arguments) {
   const std::vector<std::string> outputs = arguments.outputs();
   if (const auto path = shared_output(outputs))
     return fail(kBadUsage, fmt::format("two results would go to {}", *path));
@@ -206,7 +206,7 @@ void add_metric_options(CLI::App& command, RunOptions& options) {
 void add_optimize_command(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("optimize", "Minimize a functional, level by level, and print or write the result");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<OptimizeArguments>();
   add_cage_argument(*command, arguments->cage);
   add_objective_options(*command, arguments->objective);
   add_cap_option(*command, arguments->options.cap);

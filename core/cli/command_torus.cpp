@@ -23,7 +23,7 @@ namespace umbilic {
 
 namespace {
 
-struct Arguments {
+struct TorusArguments {
   std::optional<double> ratio;
   Objective objective;
   bool json = false;
@@ -46,7 +46,7 @@ std::array<double, kFunctionalCount> energies_at(double ratio) {
   return limits;
 }
 
-std::vector<Row> rows_of(const Arguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
+std::vector<Row> rows_of(const TorusArguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
   std::vector<Row> rows;
   if (arguments.ratio) {
     rows.push_back({*arguments.ratio, ""});
@@ -70,7 +70,7 @@ std::string minimizer_line(const TorusMinimizer& minimizer, const std::string& o
   return fmt::format("{} has the infimum {:.12g} as r/R -> 0, which no torus attains\n", objective, minimizer.energy);
 }
 
-std::string table(const Arguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
+std::string table(const TorusArguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
   std::string text = fmt::format("{:>8} {:>12} {:>12} {:>4} {:>14} {:>14} {:>22}\n", "r/R", "bending", "willmore",
                                  "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation");
   for (const Row& row : rows_of(arguments, minimizer)) {
@@ -83,7 +83,7 @@ std::string table(const Arguments& arguments, const std::optional<TorusMinimizer
   return text;
 }
 
-std::string json(const Arguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
+std::string json(const TorusArguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
   Json report{{"version", std::string(version())}};
   Json tori = Json::array();
   for (const Row& row : rows_of(arguments, minimizer)) {
@@ -101,7 +101,7 @@ std::string json(const Arguments& arguments, const std::optional<TorusMinimizer>
   return to_text(report);
 }
 
-int run(const Arguments& arguments) {
+int run(const TorusArguments& arguments) {
   std::optional<TorusMinimizer> minimizer;
   if (arguments.objective.weights != Weights{}) minimizer = torus_minimizer(arguments.objective.weights);
   return print(arguments.json ? json(arguments, minimizer) : table(arguments, minimizer)) ? kEnded : kCannotWrite;
@@ -118,7 +118,7 @@ Result<double> parse_ratio(const std::string& text) {
 void add_torus_command(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("torus", "Print the exact energies of tori of revolution, and the ratio of least energy");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<TorusArguments>();
   command
       ->add_option_function<std::string>(
           "--ratio", [arguments](const std::string& text) { arguments->ratio = parse_ratio(text).value(); },

@@ -20,8 +20,6 @@
 namespace umbilic {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 bool in_range(const RunOptions& options, Error& error) {
   if (!usable(options.weights, error)) return false;
   if (options.first_level < 0 || options.last_level < options.first_level) {
@@ -61,9 +59,9 @@ struct Run::State {
     const Lbfgs* lbfgs = level->lbfgs();
     progress.iterations = lbfgs ? lbfgs->iterations() : 0;
     progress.evaluations = lbfgs ? lbfgs->evaluations() : 0;
-    progress.energy = lbfgs ? lbfgs->best_value() : kNaN;
-    progress.gradient_norm = lbfgs ? lbfgs->best_gradient_norm() : kNaN;
-    progress.predicted_decrease = lbfgs ? lbfgs->predicted_decrease() : kNaN;
+    progress.energy = lbfgs ? lbfgs->best_value() : std::numeric_limits<double>::quiet_NaN();
+    progress.gradient_norm = lbfgs ? lbfgs->best_gradient_norm() : std::numeric_limits<double>::quiet_NaN();
+    progress.predicted_decrease = lbfgs ? lbfgs->predicted_decrease() : std::numeric_limits<double>::quiet_NaN();
     progress.total_evaluations = progress.evaluations;
     for (const LevelReport& ended : levels) {
       if (ended.level != progress.level) progress.total_evaluations += ended.evaluations;

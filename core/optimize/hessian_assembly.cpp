@@ -7,7 +7,7 @@ namespace umbilic {
 namespace {
 
 /// Samples whose contributions one `advance` adds.
-constexpr int kSamplesPerPart = 300;
+constexpr int kHessianSamplesPerPart = 300;
 
 }  // namespace
 
@@ -57,7 +57,7 @@ bool HessianAssembly::advance() {
         ++patches_done_;
         return hessian_.samples(set);
       };
-      if (cursor_.visit(jets_.layout(), kSamplesPerPart, add)) stage_ = Stage::kReduce;
+      if (cursor_.visit(jets_.layout(), kHessianSamplesPerPart, add)) stage_ = Stage::kReduce;
       break;
     }
     case Stage::kReduce:

@@ -7,7 +7,7 @@ namespace umbilic {
 namespace {
 
 /// Samples whose contributions one `advance` adds.
-constexpr int kSamplesPerPart = 3000;
+constexpr int kSobolevSamplesPerPart = 3000;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ bool SobolevMetric::advance() {
         assembly_.add_scalar(set, patch, form_.patch(set, patch), sums_);
         return form_.samples(set);
       };
-      if (cursor_.visit(energy_.layout(), kSamplesPerPart, add)) stage_ = Stage::kSum;
+      if (cursor_.visit(energy_.layout(), kSobolevSamplesPerPart, add)) stage_ = Stage::kSum;
       break;
     }
     case Stage::kSum: {

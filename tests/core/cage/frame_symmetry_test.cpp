@@ -15,7 +15,7 @@ namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 
 Matrix rotation(double angle, const Vector3& axis) { return Eigen::AngleAxisd(angle, axis.normalized()).matrix(); }
 Matrix reflection(const Vector3& normal) {
@@ -39,20 +39,20 @@ std::vector<Matrix> group(const std::vector<Matrix>& generators) {
 
 /// Prismatic group of order 4n about the z axis, with a twofold axis along x.
 std::vector<Matrix> dihedral(int n) {
-  return group({rotation(2 * kPi / n, Vector3::UnitZ()), reflection(Vector3::UnitZ()), reflection(Vector3::UnitY())});
+  return group({rotation(2 * pi / n, Vector3::UnitZ()), reflection(Vector3::UnitZ()), reflection(Vector3::UnitY())});
 }
 
 std::vector<Matrix> tetrahedral() {
-  return group({rotation(2 * kPi / 3, {1, 1, 1}), reflection({1, -1, 0}), reflection({1, 1, 0})});
+  return group({rotation(2 * pi / 3, {1, 1, 1}), reflection({1, -1, 0}), reflection({1, 1, 0})});
 }
 
 std::vector<Matrix> octahedral() {
-  return group({rotation(2 * kPi / 3, {1, 1, 1}), rotation(kPi / 2, Vector3::UnitZ()), reflection(Vector3::UnitX())});
+  return group({rotation(2 * pi / 3, {1, 1, 1}), rotation(pi / 2, Vector3::UnitZ()), reflection(Vector3::UnitX())});
 }
 
 std::vector<Matrix> icosahedral() {
   const double phi = (1 + std::sqrt(5.)) / 2;
-  return group({rotation(2 * kPi / 3, {1, 1, 1}), rotation(2 * kPi / 5, {0, 1, phi}), reflection(Vector3::UnitX())});
+  return group({rotation(2 * pi / 3, {1, 1, 1}), rotation(2 * pi / 5, {0, 1, phi}), reflection(Vector3::UnitX())});
 }
 
 /// Each face as the set of its vertices, renamed by `renaming`.

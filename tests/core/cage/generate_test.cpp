@@ -14,9 +14,9 @@ namespace umbilic::test {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 
-std::string error_of(std::string_view name, const CageOptions& options) {
+std::string refusal_of(std::string_view name, const CageOptions& options) {
   const Result<Cage> cage = generate_cage(name, options);
   return cage ? "" : cage.error().message;
 }
@@ -112,7 +112,7 @@ TEST(GenerateCage, a_torus_has_no_extraordinary_vertex_and_the_radii_that_were_a
   }
   options.thickness = 2;
   const Cage fat = generate_cage("torus", options).value();
-  EXPECT_NEAR(fat.vertices.col(2).maxCoeff(), 0.6 * std::sin(2 * kPi * 2 / 7), 1e-15);
+  EXPECT_NEAR(fat.vertices.col(2).maxCoeff(), 0.6 * std::sin(2 * pi * 2 / 7), 1e-15);
 }
 
 TEST(GenerateCage, thickness_scales_the_width_of_the_arms) {
@@ -140,7 +140,7 @@ TEST(GenerateCage, spread_moves_the_arms_and_not_the_junctions_of_two_junction_f
 
 TEST(GenerateCage, unknown_names_are_answered_with_the_known_ones) {
   for (const char* name : {"", "two-2", "two-13", "two-03", "Cube", "tetrahedron"}) {
-    const std::string message = error_of(name, {});
+    const std::string message = refusal_of(name, {});
     EXPECT_EQ(message.rfind(std::string("there is no cage called ") + name + "; there are cube, torus, two-3, ", 0), 0u)
         << message;
   }
@@ -154,23 +154,23 @@ TEST(GenerateCage, options_out_of_range_are_answered_with_the_range) {
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double thickness : {0., -1., 0.001, 2.26, 1e300, nan, std::numeric_limits<double>::infinity()}) {
-    const std::string message = error_of("tetrahedron-frame", with([&](auto& o) { o.thickness = thickness; }));
+    const std::string message = refusal_of("tetrahedron-frame", with([&](auto& o) { o.thickness = thickness; }));
     EXPECT_NE(message.find(" is not between 0.01 and 2.25"), std::string::npos) << message;
   }
-  EXPECT_EQ(error_of("tetrahedron-frame", with([](auto& o) { o.thickness = 2.25; })), "");
-  EXPECT_EQ(error_of("tetrahedron-frame", with([](auto& o) { o.thickness = 0.01; })), "");
+  EXPECT_EQ(refusal_of("tetrahedron-frame", with([](auto& o) { o.thickness = 2.25; })), "");
+  EXPECT_EQ(refusal_of("tetrahedron-frame", with([](auto& o) { o.thickness = 0.01; })), "");
   for (const double spread : {0., -1., 0.4, 3.5, nan}) {
-    const std::string message = error_of("two-4", with([&](auto& o) { o.spread = spread; }));
+    const std::string message = refusal_of("two-4", with([&](auto& o) { o.spread = spread; }));
     EXPECT_NE(message.find(" is not between 0.5 and 3"), std::string::npos) << message;
   }
   for (const double ratio : {0., -1., 1., 2., nan}) {
-    const std::string message = error_of("torus", with([&](auto& o) { o.ratio = ratio; }));
+    const std::string message = refusal_of("torus", with([&](auto& o) { o.ratio = ratio; }));
     EXPECT_NE(message.find(" is not between 0 and 1"), std::string::npos) << message;
   }
-  EXPECT_EQ(error_of("torus", with([](auto& o) { o.thickness = 2; })),
+  EXPECT_EQ(refusal_of("torus", with([](auto& o) { o.thickness = 2; })),
             "thickness 2 is not at least 0.01 and less than 2 (1 / ratio)");
-  EXPECT_EQ(error_of("torus", with([](auto& o) { o.major_segments = 2; })), "2 segments are not 3 to 1000");
-  EXPECT_EQ(error_of("torus", with([](auto& o) { o.minor_segments = 1001; })), "1001 segments are not 3 to 1000");
+  EXPECT_EQ(refusal_of("torus", with([](auto& o) { o.major_segments = 2; })), "2 segments are not 3 to 1000");
+  EXPECT_EQ(refusal_of("torus", with([](auto& o) { o.minor_segments = 1001; })), "1001 segments are not 3 to 1000");
 }
 
 }  // namespace umbilic::test

@@ -8,7 +8,6 @@
 #include "cages.h"
 
 namespace umbilic::test {
-
 namespace {
 
 class SharedFiles : public testing::Test {
@@ -34,8 +33,6 @@ class SharedFiles : public testing::Test {
   std::filesystem::path folder_ = std::filesystem::path(UMBILIC_SOURCE_DIR) / ".." / "shared" / "cages";
 };
 
-}  // namespace
-
 TEST_F(SharedFiles, closed_meshes_are_cages_of_their_genus) {
   const CageReport spot = report("spot_control_mesh.obj");
   EXPECT_EQ(spot.genus, 0);
@@ -56,4 +53,5 @@ TEST_F(SharedFiles, open_meshes_are_refused_with_their_boundary) {
   EXPECT_NE(error_of(text("hemisphere_open.off")).find("the surface is open (open edges: 120)"), std::string::npos);
 }
 
+}  // namespace
 }  // namespace umbilic::test

@@ -14,7 +14,7 @@
 namespace umbilic {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Entry entry(const char* shape, const char* functional, int last_level) {
   const CatalogShape& row = shape_called(shape);
@@ -25,9 +25,9 @@ Entry entry(const char* shape, const char* functional, int last_level) {
 TEST(CatalogEntrySlow, of_the_spheres_bending_converges_to_8_pi) {
   const Entry sphere = entry("sphere", "bending", 3);
   EXPECT_EQ(sphere.status, EntryStatus::kConverged);
-  EXPECT_NEAR(sphere.energy, 8 * kPi, *sphere.error);
+  EXPECT_NEAR(sphere.energy, 8 * pi, *sphere.error);
   EXPECT_LT(*sphere.error, 1e-3 * sphere.energy);
-  EXPECT_EQ(sphere.exact->energy, 8 * kPi);
+  EXPECT_EQ(sphere.exact->energy, 8 * pi);
   EXPECT_TRUE(sphere.reason.empty());
   EXPECT_EQ(sphere.certificate->negative, 0);
 }
@@ -38,7 +38,7 @@ TEST(CatalogEntry, of_an_infimum_that_is_known_has_no_error_but_a_reason) {
   EXPECT_EQ(sphere.energy, 0);
   const Entry torus = entry("torus", "mvs_cross", 1);
   EXPECT_EQ(torus.status, EntryStatus::kInfimumNotAttained);
-  EXPECT_NEAR(torus.energy, 8 * std::pow(kPi, 4), 1e-9);
+  EXPECT_NEAR(torus.energy, 8 * std::pow(pi, 4), 1e-9);
   EXPECT_GT(torus.levels.back().energy_reported, torus.energy);
   for (const Entry& e : {sphere, torus}) {
     EXPECT_FALSE(e.error);

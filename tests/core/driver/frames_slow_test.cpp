@@ -17,7 +17,7 @@
 namespace umbilic::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 umbilic::Run finished(const Cage& cage, std::string_view weights, int last, bool symmetry = true) {
   RunOptions options;
@@ -96,7 +96,7 @@ TEST(FramesSlow, of_fat_and_of_thin_arms_end_in_the_same_mvs_cross_energy) {
 
 TEST(FramesSlow, of_two_junctions_have_lawsons_bending_within_an_error_of_a_fiftieth_of_a_percent) {
   // xi_{2,1} and xi_{3,1}: 4 W - 8 pi (1 - g).
-  const std::pair<const char*, double> limits[] = {{"two-3", 4 * 21.908514 + 8 * kPi}, {"two-4", 141.5466}};
+  const std::pair<const char*, double> limits[] = {{"two-3", 4 * 21.908514 + 8 * pi}, {"two-4", 141.5466}};
   for (const auto& [name, limit] : limits) {
     const umbilic::Run run = finished(*generate_cage(name), "bending=1", 3);
     const LimitReport report = run.limit();
@@ -141,8 +141,8 @@ TEST(SphereSlow, from_a_rough_cage_without_symmetry_has_bending_8_pi) {
   const umbilic::Run run = finished(cage, "bending=1", 2, false);
   EXPECT_EQ(run.group().name, "C1");
   EXPECT_EQ(run.levels().back().unknowns, 3 * run.control_mesh().vertices.rows());
-  EXPECT_NEAR(run.levels().back().energy_reported, 8 * kPi, 1e-4 * 8 * kPi);
-  EXPECT_GT(run.levels().back().energy_reported, 8 * kPi * (1 - 1e-8));
+  EXPECT_NEAR(run.levels().back().energy_reported, 8 * pi, 1e-4 * 8 * pi);
+  EXPECT_GT(run.levels().back().energy_reported, 8 * pi * (1 - 1e-8));
 }
 
 }  // namespace

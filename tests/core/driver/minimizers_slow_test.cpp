@@ -13,10 +13,10 @@
 namespace umbilic {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 /// Lawson's xi_{2,1}: 4 W - 8 pi (1 - g) with W = 21.908514 (Hsu, Kusner & Sullivan 1992).
 constexpr double kGenusTwoBending = 112.7668;
-constexpr double kCliffordBending = 8 * kPi * kPi;
+constexpr double kCliffordBending = 8 * pi * pi;
 
 std::vector<LevelReport> minimize(const Cage& cage, std::string_view weights, int first, int last,
                                   int max_iterations = 1000) {
@@ -37,8 +37,8 @@ TEST(MinimizersSlow, gauss_bonnet_holds_on_every_generated_frame) {
       Cage cage = *generate_cage(name.name, {.family = family});
       const int genus = validate(cage)->genus;
       const EvaluationReport report = *evaluate(cage, CapKind::kSmooth, 3);
-      const double unit = 4 * kPi * std::max(1, std::abs(1 - genus));
-      EXPECT_NEAR(report.energies.gaussian, 4 * kPi * (1 - genus), 1e-4 * unit) << name.name;
+      const double unit = 4 * pi * std::max(1, std::abs(1 - genus));
+      EXPECT_NEAR(report.energies.gaussian, 4 * pi * (1 - genus), 1e-4 * unit) << name.name;
     }
   }
 }
@@ -68,8 +68,8 @@ TEST(MinimizersSlow, both_cages_of_genus_two_bend_like_lawsons_surface_and_never
 
 TEST(MinimizersSlow, a_cube_becomes_a_sphere_whose_mvs_cross_falls_towards_0) {
   const auto bending = minimize(*generate_cage("cube"), "bending=1", 0, 3);
-  EXPECT_NEAR(bending.back().energy_reported, 8 * kPi, 1e-3);
-  EXPECT_GT(bending.back().energy_reported, 8 * kPi * (1 - 1e-6));
+  EXPECT_NEAR(bending.back().energy_reported, 8 * pi, 1e-3);
+  EXPECT_GT(bending.back().energy_reported, 8 * pi * (1 - 1e-6));
   const auto variation = minimize(*generate_cage("cube"), "mvs_cross=1", 0, 3, 300);
   for (std::size_t i = 1; i < variation.size(); ++i) {
     EXPECT_LT(variation[i].energy_reported, variation[i - 1].energy_reported);

@@ -17,8 +17,8 @@
 namespace umbilic::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kCliffordBending = 8 * kPi * kPi;
+using std::numbers::pi;
+constexpr double kCliffordBending = 8 * pi * pi;
 constexpr Weights kBendingOnly{1, 0, 0, 0, 0, 0};
 
 /// A refined cage with all its coordinates free.
@@ -76,7 +76,7 @@ TEST(SurfaceObjective, of_another_genus_than_the_surfaces_starts_finite_all_the_
   EXPECT_TRUE(std::isfinite(torus.evaluate(objective, torus.surface.start()).value));
 }
 
-RunOptions bending(int first, int last) {
+RunOptions only_bending(int first, int last) {
   RunOptions options;
   options.weights = kBendingOnly;
   options.first_level = first;
@@ -94,7 +94,7 @@ umbilic::Run finished(const Cage& cage, const RunOptions& options) {
 /// 50.27 = 16 pi, two spheres, is what a torus that falls apart unseen would report.
 TEST(SurfaceObjective, keeps_a_thin_torus_whole_at_every_level) {
   for (const MetricChoice metric : {MetricChoice::kHessian, MetricChoice::kSobolev}) {
-    RunOptions options = bending(0, 2);
+    RunOptions options = only_bending(0, 2);
     options.metric = metric;
     const umbilic::Run run = finished(*generate_cage("torus", {.ratio = 0.3}), options);
     // What spline surfaces of so many patches cannot follow of the Clifford torus; falls by 2^4 and more.
@@ -114,7 +114,7 @@ TEST(SurfaceObjective, lets_a_rough_start_with_a_large_defect_run) {
   const Free surface(cage, 0);
   const double defect = std::abs(surface.surface.energy().evaluate(surface.surface.start(), nullptr).gaussian);
   EXPECT_GT(defect, 0.5) << "more than is admitted otherwise";
-  const umbilic::Run run = finished(cage, bending(0, 0));
+  const umbilic::Run run = finished(cage, only_bending(0, 0));
   EXPECT_NE(run.levels()[0].stop, StopReason::kNotFinite);
   EXPECT_LT(run.levels()[0].energy, 0.1 * evaluate(cage, CapKind::kSmooth, 0)->energies.functionals[kBending]);
 }

@@ -7,6 +7,7 @@
 
 #include "energy/surface_energy.h"
 #include "mesh/rough_cages.h"
+#include "surface/all_caps.h"
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
 #define UMBILIC_COUNTS_ALLOCATIONS 1
@@ -51,7 +52,7 @@ namespace {
 TEST(SurfaceEnergy, allocates_nothing_in_a_second_evaluation) {
   if (!UMBILIC_COUNTS_ALLOCATIONS) GTEST_SKIP();
   const Refined mesh = rough(trapezohedron(5), 2, 0.01, 8);
-  for (const CapKind cap : {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth}) {
+  for (const CapKind cap : kAllCaps) {
     const PatchLayout layout(mesh.mesh, cap);
     const JetEvaluator jets(layout, {4, 5, 1});
     for (const Weights& weights : {Weights{1}, Weights{0, 0, 0, 1}, Weights{1, 0, 0, 1}}) {

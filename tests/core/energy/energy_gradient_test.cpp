@@ -10,6 +10,7 @@
 #include "energy/surface_energy.h"
 #include "mesh/rough_cages.h"
 #include "reference/reference_cages.h"
+#include "surface/all_caps.h"
 
 namespace umbilic::test {
 namespace {
@@ -57,8 +58,6 @@ void expect_gradients(const std::string& name, int level, CapKind cap) {
     }
   }
 }
-
-constexpr CapKind kAllCaps[] = {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth};
 
 TEST(SurfaceEnergySlow, gradient_on_the_perturbed_torus_equals_central_differences) {
   expect_gradients("torus", 0, CapKind::kSmooth);

@@ -10,11 +10,10 @@
 #include "energy/surface_energy.h"
 #include "mesh/rough_cages.h"
 #include "reference/reference_cages.h"
+#include "surface/all_caps.h"
 
 namespace umbilic::test {
 namespace {
-
-constexpr CapKind kAllCaps[] = {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth};
 
 SurfaceIntegrals integrals(const Cage& cage, int level, CapKind cap) {
   const Refined mesh = refined(cage, level);

@@ -7,11 +7,11 @@
 #include "energy/density_values.h"
 #include "energy/dual.h"
 #include "energy/energy_hessian.h"
+#include "surface/few_points.h"
 
 namespace umbilic::test {
 namespace {
 
-constexpr QuadratureRule kRule{3, 4, 1};
 constexpr Weights kBlend{0.5, 0.25, 1e-3, 2e-3, 1e-3, 3e-3};
 
 /// The integral over one patch of rho |X_u x X_v| + area_factor |X_u x X_v|, with the flat cap's n frozen, and its
@@ -19,9 +19,9 @@ constexpr Weights kBlend{0.5, 0.25, 1e-3, 2e-3, 1e-3, 3e-3};
 class FrozenPatch {
  public:
   FrozenPatch(const PatchSet& set, const Vector3& normal, const Weights& weights, double area_factor)
-      : samples_(set.kind.regular()            ? tensor_rule(kRule.regular_points)
-                 : set.kind.at_extraordinary() ? graded_rule(kRule.cap_points, kRule.grading)
-                                               : tensor_rule(kRule.cap_points)),
+      : samples_(set.kind.regular()            ? tensor_rule(kFewPoints.regular_points)
+                 : set.kind.at_extraordinary() ? graded_rule(kFewPoints.cap_points, kFewPoints.grading)
+                                               : tensor_rule(kFewPoints.cap_points)),
         table_(basis_table(set.kind, samples_, 1, kDerivativeCount)),
         flat_(set.kind.shape == CapShape::kFlat),
         normal_(normal),
@@ -92,9 +92,9 @@ TEST(EnergyHessian, of_every_patch_with_flat_caps_is_the_second_derivative_with_
   for (const int level : {1, 2}) {
     const Refined mesh = rough(trapezohedron(5), level, 0.02, 4);
     const PatchLayout layout(mesh.mesh, CapKind::kFlat);
-    const JetEvaluator jets(layout, kRule);
+    const JetEvaluator jets(layout, kFewPoints);
     const EnergyValue value = SurfaceEnergy(jets, kBlend).evaluate(mesh.control, nullptr);
-    EnergyHessian hessian(layout, kRule, kBlend);
+    EnergyHessian hessian(layout, kFewPoints, kBlend);
     hessian.move_to(mesh.control, value);
     Weights weights = kBlend;  // second + area third varies with the area and the third-order integral frozen
     for (int f = kMvs; f < kFunctionalCount; ++f) weights[f] *= value.area;

@@ -7,11 +7,10 @@
 #include "energy/energy_hessian.h"
 #include "energy/surface_energy.h"
 #include "mesh/rough_cages.h"
+#include "surface/all_caps.h"
 
 namespace umbilic::test {
 namespace {
-
-constexpr CapKind kAllCaps[] = {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth};
 
 /// Each functional alone, then all of them.
 std::vector<Weights> all_weights() {

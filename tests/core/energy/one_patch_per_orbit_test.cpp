@@ -8,12 +8,12 @@
 #include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
 #include "mesh/rough_cages.h"
+#include "surface/few_points.h"
 
 namespace umbilic::test {
 namespace {
 
 /// Any rule that no symmetry of a face changes gives equal sums; cheap ones do as well as exact ones.
-constexpr QuadratureRule kRule{3, 3, 1};
 
 /// A surface with the symmetry of its cage and nothing else in common with it: its unknowns are moved at random.
 struct Symmetric {
@@ -45,7 +45,7 @@ void expect_equal(const Symmetric& surface, CapKind cap, int functional) {
   Weights weights{};
   weights[functional] = 1;
   const PatchLayout whole(surface.mesh, cap), part(surface.mesh, cap, face_orbits(surface.mesh, surface.group));
-  const JetEvaluator all(whole, kRule), one_of_each(part, kRule);
+  const JetEvaluator all(whole, kFewPoints), one_of_each(part, kFewPoints);
   Points gradient, part_of_gradient;
   const EnergyValue expected = SurfaceEnergy(all, weights).evaluate(surface.control, &gradient);
   const EnergyValue value = SurfaceEnergy(one_of_each, weights).evaluate(surface.control, &part_of_gradient);

@@ -10,6 +10,7 @@
 #include "energy/surface_energy.h"
 #include "mesh/rough_cages.h"
 #include "reference/reference_cages.h"
+#include "surface/all_caps.h"
 
 namespace umbilic::test {
 namespace {
@@ -32,7 +33,7 @@ void expect(double actual, const Expected& expected, const char* what) {
 TEST(SurfaceEnergy, of_the_perturbed_torus_equals_the_reference_with_every_cap_and_at_every_level) {
   // Half a unit of the last digit given; the rule is exact beyond it.
   for (const int level : {0, 1}) {
-    for (const CapKind cap : {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth}) {
+    for (const CapKind cap : kAllCaps) {
       const int points = level == 0 ? 24 : 16;
       const SurfaceIntegrals sums = integrals("torus", level, cap, {points, points, 0});
       expect(sums.area, {56.6762026611, 1e-10}, "area");

@@ -17,7 +17,7 @@
 namespace umbilic::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kClifford = std::numbers::sqrt2 / 2;
 
 /// Bending and MVS_cross with the weights of the paper's eq. 9.
@@ -42,11 +42,11 @@ TEST(Torus, energies_are_the_integrals_of_the_densities) {
     DensityValues sums{};
     double area = 0;
     for (int i = 0; i < kNodes; ++i) {
-      const double latitude = 2 * kPi * i / kNodes;
+      const double latitude = 2 * pi * i / kNodes;
       const auto [u, v] = curved_parameters(0.3, latitude);
       const Taylor radius = 1 + a * cos(v);
       const Jet<double> jet = jet_of({radius * cos(u), radius * sin(u), a * sin(v)});
-      const double measure = (1 + a * std::cos(latitude)) * a * 4 * kPi * kPi / kNodes;
+      const double measure = (1 + a * std::cos(latitude)) * a * 4 * pi * pi / kNodes;
       const DensityValues values = densities(jet);
       for (int f = 0; f < kFunctionalCount; ++f) sums[f] += measure * values[f];
       area += measure;
@@ -84,13 +84,13 @@ TEST(Torus, of_least_bending_is_the_clifford_torus) {
     weights[functional] = 1;
     const TorusMinimizer minimizer = torus_minimizer(weights);
     EXPECT_NEAR(minimizer.ratio, kClifford, 1e-15);
-    EXPECT_NEAR(minimizer.energy, (functional == kBending ? 8 : 2) * kPi * kPi, 1e-12);
+    EXPECT_NEAR(minimizer.energy, (functional == kBending ? 8 : 2) * pi * pi, 1e-12);
     EXPECT_TRUE(minimizer.attained);
   }
 }
 
 TEST(Torus, of_third_order_functionals_has_an_infimum_that_none_attains_but_mvs) {
-  const double thin = 8 * std::pow(kPi, 4);
+  const double thin = 8 * std::pow(pi, 4);
   for (const auto& [functional, factor] :
        {std::pair{kMvsCross, 1.0}, {kMehlumTarrou, 9.0 / 16}, {kSecondFormVariation, 3.0}}) {
     Weights weights{};
@@ -113,7 +113,7 @@ TEST(Torus, of_a_blend_solves_the_equation_of_its_ratio) {
   for (double c = 1e-12; c < 1e13; c *= 10) {
     const double a = torus_minimizer(blend(1, c)).ratio;
     // As a product, because 1 - 2 a^2 cancels near the Clifford torus.
-    const double left = 6 * kPi * kPi * a * a * a * c, right = (1 - a * a) * (1 - 2 * a * a);
+    const double left = 6 * pi * pi * a * a * a * c, right = (1 - a * a) * (1 - 2 * a * a);
     EXPECT_NEAR(left, right, 1e-10 * left + 1e-15) << c;
   }
 }

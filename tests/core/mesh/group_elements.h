@@ -14,6 +14,8 @@
 
 namespace umbilic::test {
 
+inline SymmetryGroup symmetry_of(const Cage& cage) { return find_symmetry(PolygonMesh(cage), cage.vertices); }
+
 inline Symmetry product(const Symmetry& a, const Symmetry& b) {
   Symmetry result{a.isometry * b.isometry, {a.map.reverses != b.map.reverses, b.map.halfedges}};
   for (int& h : result.map.halfedges) h = a.map.halfedges[h];

@@ -12,7 +12,7 @@ namespace {
 
 int level_of(const Cage& cage) { return required_level(PolygonMesh(cage)).value(); }
 
-std::string error_of(const Cage& cage) {
+std::string refusal_of(const Cage& cage) {
   const Result<int> level = required_level(PolygonMesh(cage));
   return level ? "" : level.error().message;
 }
@@ -64,18 +64,18 @@ TEST(RequiredLevel, refuses_a_vertex_of_valence_2_and_names_it) {
   cage.vertices.row(8) << 0, -1, -1;
   cage.faces[0] = {0, 3, 2, 1, 8};
   cage.faces[2] = {0, 8, 1, 5, 4};
-  EXPECT_EQ(error_of(cage), "vertex 9 has valence 2; the limit surface is evaluated for valences 3 to 24");
+  EXPECT_EQ(refusal_of(cage), "vertex 9 has valence 2; the limit surface is evaluated for valences 3 to 24");
 }
 
 TEST(RequiredLevel, takes_valence_24_and_refuses_25_and_names_the_vertex) {
   EXPECT_EQ(level_of(trapezohedron(24)), 1);
-  EXPECT_EQ(error_of(trapezohedron(25)),
+  EXPECT_EQ(refusal_of(trapezohedron(25)),
             "vertex 51 has valence 25; the limit surface is evaluated for valences 3 to 24");
 }
 
 TEST(RequiredLevel, takes_a_face_of_24_sides_and_refuses_25_and_names_the_face) {
   EXPECT_EQ(level_of(prism(24)), 2);
-  EXPECT_EQ(error_of(prism(25)),
+  EXPECT_EQ(refusal_of(prism(25)),
             "face 1 has 25 sides and would become a vertex of that valence; at most 24 are possible");
 }
 

@@ -10,8 +10,6 @@
 namespace umbilic::test {
 namespace {
 
-SymmetryGroup symmetry_of(const Cage& cage) { return find_symmetry(PolygonMesh(cage), cage.vertices); }
-
 double extent_of(const Cage& cage) {
   return (cage.vertices.rowwise() - cage.vertices.colwise().mean()).rowwise().norm().maxCoeff();
 }

@@ -13,8 +13,6 @@
 namespace umbilic::test {
 namespace {
 
-SymmetryGroup symmetry_of(const Cage& cage) { return find_symmetry(PolygonMesh(cage), cage.vertices); }
-
 void expect_group(const Cage& cage, const std::string& name, int order) {
   const SymmetryGroup group = symmetry_of(cage);
   EXPECT_EQ(group.name, name);

@@ -10,20 +10,15 @@
 #include <Eigen/QR>
 
 #include "cage/generate.h"
+#include "energy/single_weight.h"
 #include "mesh/rough_cages.h"
 #include "optimize/dense_assembly.h"
+#include "surface/few_points.h"
 
 namespace umbilic::test {
 namespace {
 
-constexpr QuadratureRule kRule{3, 4, 1};
 constexpr CapKind kCap = CapKind::kSmooth;
-
-Weights only(int functional) {
-  Weights weights{};
-  weights[functional] = 1;
-  return weights;
-}
 
 template <class Parts>
 void finish(Parts& parts, const Points& control) {
@@ -35,7 +30,7 @@ void finish(Parts& parts, const Points& control) {
 /// H + u v^T + v u^T + mu S.
 Eigen::MatrixXd dense(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
                       const Points& control, double mu, double umbilic_eta = kUmbilicEta) {
-  HessianAssembly assembly(layout, unknowns, weights, kRule, umbilic_eta);
+  HessianAssembly assembly(layout, unknowns, weights, kFewPoints, umbilic_eta);
   finish(assembly, control);
   Eigen::MatrixXd matrix = full(assembly.combine(1, mu));
   if (assembly.factors().cols() == 2) {
@@ -48,7 +43,7 @@ Eigen::MatrixXd dense(const PatchLayout& layout, const Unknowns& unknowns, const
 /// H + mu S as the metric has it.
 Eigen::MatrixXd factored(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
                          const Points& control, double mu) {
-  HessianAssembly assembly(layout, unknowns, weights, kRule, kMetricUmbilicEta);
+  HessianAssembly assembly(layout, unknowns, weights, kFewPoints, kMetricUmbilicEta);
   finish(assembly, control);
   return full(assembly.combine(1, mu));
 }
@@ -85,7 +80,7 @@ TEST(HessianMetric, solve_inverts_hessian_plus_rank_two_term_plus_mu_sobolev_on_
        {rough_surface(cube(), 1, 0.05, 1), symmetric_surface(*generate_cage("two-3")),
         rough_surface(*generate_cage("torus", {.major_segments = 4, .minor_segments = 3}), 0, .05, 2)}) {
     for (const Weights& weights : {only(kBending), only(kMvsCross), Weights{1, 0, 0, 0.01, 0, 0}}) {
-      HessianMetric metric(s.layout, s.unknowns, weights, kRule);
+      HessianMetric metric(s.layout, s.unknowns, weights, kFewPoints);
       finish(metric, s.control);
       const Eigen::MatrixXd matrix =
           dense(s.layout, s.unknowns, weights, s.control, metric.sobolev_share(), kMetricUmbilicEta);
@@ -107,7 +102,7 @@ TEST(HessianMetric, is_positive_definite_from_every_rough_start_because_mu_rises
       const Surface s = rough_surface(trapezohedron(5), 1, amount, seed);
       for (const int functional : {int(kBending), int(kMvs), int(kMvsCross)}) {
         SCOPED_TRACE(std::string(kFunctionalNames[functional]) + " moved by " + std::to_string(amount));
-        HessianMetric metric(s.layout, s.unknowns, only(functional), kRule);
+        HessianMetric metric(s.layout, s.unknowns, only(functional), kFewPoints);
         finish(metric, s.control);
         const auto definite = [&](double mu) {
           const Eigen::MatrixXd matrix = factored(s.layout, s.unknowns, only(functional), s.control, mu);
@@ -129,7 +124,7 @@ TEST(HessianMetric, is_positive_definite_from_every_rough_start_because_mu_rises
 TEST(HessianMetric, can_be_built_again_at_other_surfaces_as_if_it_were_new_but_for_a_falling_mu) {
   const Surface a = rough_surface(trapezohedron(5), 1, 0.5, 1), b = rough_surface(trapezohedron(5), 1, 0.02, 2);
   const Weights weights = only(kMvsCross);
-  HessianMetric metric(a.layout, a.unknowns, weights, kRule);
+  HessianMetric metric(a.layout, a.unknowns, weights, kFewPoints);
   finish(metric, a.control);
   const double first = metric.sobolev_share();
   finish(metric, b.control);
@@ -148,10 +143,10 @@ TEST(HessianMetric, can_be_built_again_at_other_surfaces_as_if_it_were_new_but_f
 /// Along x itself a Newton step gains nothing: with a . d = 0 it is one of the shape.
 TEST(HessianMetric, moves_along_no_mere_change_of_scale) {
   const Surface s = symmetric_surface(*generate_cage("two-3"));
-  const JetEvaluator jets(s.layout, kRule);
+  const JetEvaluator jets(s.layout, kFewPoints);
   for (const int functional : {int(kBending), int(kMvsCross)}) {
     const Eigen::VectorXd x = s.unknowns.pull_back(s.control.rowwise() - s.control.colwise().mean());
-    HessianMetric metric(s.layout, s.unknowns, only(functional), kRule);
+    HessianMetric metric(s.layout, s.unknowns, only(functional), kFewPoints);
     finish(metric, s.control);
     EXPECT_GT(std::abs(metric.size_gradient().dot(x)), 1e-3 * metric.size_gradient().norm() * x.norm());
     EXPECT_LT(metric.solve(metric.size_gradient()).norm(), 1e-9 * x.norm()) << "no step answers a gradient of the size";
@@ -160,7 +155,7 @@ TEST(HessianMetric, moves_along_no_mere_change_of_scale) {
 
 TEST(HessianMetric, knows_the_hessian) {
   const Surface s = rough_surface(cube(), 1, 0.05, 1);
-  const HessianMetric metric(s.layout, s.unknowns, only(kBending), kRule);
+  const HessianMetric metric(s.layout, s.unknowns, only(kBending), kFewPoints);
   EXPECT_EQ(metric.name(), "hessian");
   EXPECT_TRUE(metric.knows_hessian());
 }
@@ -168,7 +163,7 @@ TEST(HessianMetric, knows_the_hessian) {
 /// Energies have degree 0 in the control points, gradients -1: Euler's theorem. At a minimizer the scale is free.
 TEST(HessianAssembly, with_its_rank_two_term_maps_the_control_points_to_minus_the_gradient) {
   const Surface s = rough_surface(*generate_cage("two-3"), 1, 0.05, 3);
-  const JetEvaluator jets(s.layout, kRule);
+  const JetEvaluator jets(s.layout, kFewPoints);
   for (int f = 0; f < kFunctionalCount; ++f) {
     Points gradient;
     SurfaceEnergy(jets, only(f)).evaluate(s.control, &gradient);
@@ -180,7 +175,7 @@ TEST(HessianAssembly, with_its_rank_two_term_maps_the_control_points_to_minus_th
 
 TEST(HessianAssembly, maps_translations_to_zero_and_rotations_to_the_turned_gradient) {
   const Surface s = rough_surface(*generate_cage("two-3"), 1, 0.05, 3);
-  const JetEvaluator jets(s.layout, kRule);
+  const JetEvaluator jets(s.layout, kFewPoints);
   for (const int f : {int(kBending), int(kMvsCross)}) {
     Points gradient;
     SurfaceEnergy(jets, only(f)).evaluate(s.control, &gradient);

@@ -9,13 +9,10 @@
 #include <functional>
 #include <limits>
 
-namespace umbilic {
-namespace {
+#include "optimize/identity_metric.h"
 
-class Identity : public Metric {
- public:
-  Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override { return gradient; }
-};
+namespace umbilic::test {
+namespace {
 
 class Diagonal : public Metric {
  public:
@@ -216,4 +213,4 @@ TEST(Lbfgs, steps_over_regions_that_are_not_finite) {
 }
 
 }  // namespace
-}  // namespace umbilic
+}  // namespace umbilic::test

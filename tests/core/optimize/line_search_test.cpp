@@ -9,7 +9,7 @@
 #include <functional>
 #include <limits>
 
-namespace umbilic {
+namespace umbilic::test {
 namespace {
 
 struct Outcome {
@@ -18,9 +18,9 @@ struct Outcome {
   int evaluations;
 };
 
-using Function = std::function<std::pair<double, double>(double)>;
+using Slice = std::function<std::pair<double, double>(double)>;
 
-Outcome search(const Function& phi, double first_step, LineSearchOptions options) {
+Outcome search(const Slice& phi, double first_step, LineSearchOptions options) {
   const auto [value, slope] = phi(0);
   LineSearch line(value, slope, first_step, options);
   for (int i = 1;; ++i) {
@@ -31,7 +31,7 @@ Outcome search(const Function& phi, double first_step, LineSearchOptions options
   }
 }
 
-void expect_strong_wolfe(const Function& phi, double step, const LineSearchOptions& options) {
+void expect_strong_wolfe(const Slice& phi, double step, const LineSearchOptions& options) {
   const auto [value, slope] = phi(0);
   const auto [v, s] = phi(step);
   EXPECT_LE(v, value + options.decrease * step * slope);
@@ -49,7 +49,7 @@ std::pair<double, double> function_2(double a) {
 }
 
 TEST(LineSearch, satisfies_the_strong_wolfe_conditions_from_first_steps_over_six_orders_of_magnitude) {
-  for (const Function& phi : {Function(function_1), Function(function_2)}) {
+  for (const Slice& phi : {Slice(function_1), Slice(function_2)}) {
     for (const double first : {1e-3, 1e-1, 1e1, 1e3}) {
       for (const double curvature : {0.1, 0.9}) {
         LineSearchOptions options;
@@ -66,7 +66,7 @@ TEST(LineSearch, satisfies_the_strong_wolfe_conditions_from_first_steps_over_six
 }
 
 TEST(LineSearch, finds_the_minimum_of_a_parabola_in_two_evaluations_when_the_conditions_are_tight) {
-  const Function parabola = [](double t) { return std::pair{(t - 3) * (t - 3), 2 * (t - 3)}; };
+  const Slice parabola = [](double t) { return std::pair{(t - 3) * (t - 3), 2 * (t - 3)}; };
   LineSearchOptions options;
   options.curvature = 1e-6;
   options.decrease = 1e-7;
@@ -77,7 +77,7 @@ TEST(LineSearch, finds_the_minimum_of_a_parabola_in_two_evaluations_when_the_con
 }
 
 TEST(LineSearch, steps_back_from_where_the_function_is_not_finite) {
-  const Function walled = [](double t) {
+  const Slice walled = [](double t) {
     if (t >= 1) return std::pair{std::numeric_limits<double>::quiet_NaN(), 0.0};
     return std::pair{-t - std::log(1 - t) * 0.1, -1 + 0.1 / (1 - t)};
   };
@@ -87,9 +87,9 @@ TEST(LineSearch, steps_back_from_where_the_function_is_not_finite) {
 }
 
 TEST(LineSearch, fails_when_the_slope_is_not_that_of_the_function) {
-  const Function lying = [](double t) { return std::pair{t, -1.0}; };
+  const Slice lying = [](double t) { return std::pair{t, -1.0}; };
   EXPECT_EQ(search(lying, 1, {}).status, LineSearch::Status::kFailed);
 }
 
 }  // namespace
-}  // namespace umbilic
+}  // namespace umbilic::test

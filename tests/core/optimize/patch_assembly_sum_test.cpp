@@ -9,6 +9,7 @@
 #include "mesh/rough_cages.h"
 #include "optimize/dense_assembly.h"
 #include "optimize/patch_assembly.h"
+#include "surface/all_caps.h"
 
 namespace umbilic::test {
 namespace {
@@ -42,7 +43,7 @@ std::vector<Case> cases() {
   all.push_back(free_case("torus of 3 x 3 quads", refined(small_torus, 0), CapKind::kSmooth));
   all.push_back(free_case("torus of 6 x 6 quads", refined(small_torus, 1), CapKind::kSmooth));
   all.push_back(symmetric_case("symmetric torus of 3 x 3 quads", small_torus, 0, CapKind::kSmooth));
-  for (const CapKind cap : {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth}) {
+  for (const CapKind cap : kAllCaps) {
     all.push_back(free_case("trapezohedron", refined(trapezohedron(5), 1), cap));
     all.push_back(symmetric_case("symmetric trapezohedron", trapezohedron(5), 2, cap));
   }

@@ -5,42 +5,15 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "cage/generate.h"
 #include "energy/energy_hessian.h"
+#include "mesh/rough_cages.h"
 #include "mesh/subdivision.h"
 
-namespace umbilic {
+namespace umbilic::test {
 namespace {
 
 constexpr QuadratureRule kRule{4, 5, 1};
-
-struct Fixture {
-  PolygonMesh mesh;
-  Points control;
-};
-
-Points random_points(int rows, int seed) {
-  std::mt19937 random(seed);
-  Points points(rows, 3);
-  for (int i = 0; i < points.size(); ++i) points.data()[i] = 2.0 * random() / std::mt19937::max() - 1;
-  return points;
-}
-
-/// Without symmetry, away from umbilics where curvatures are not smooth.
-Fixture rough(std::string_view name, int level) {
-  const Cage cage = *generate_cage(name);
-  PolygonMesh mesh(cage);
-  Points control = cage.vertices;
-  for (int i = 0; i < level; ++i) {
-    Refinement finer = catmull_clark(mesh);
-    control = (finer.stencil * control).eval();
-    mesh = std::move(finer.mesh);
-  }
-  control += 0.02 * random_points(static_cast<int>(control.rows()), 1);
-  return {std::move(mesh), std::move(control)};
-}
 
 Eigen::VectorXd flat(const Points& points) { return Eigen::Map<const Eigen::VectorXd>(points.data(), points.size()); }
 
@@ -83,16 +56,16 @@ Eigen::VectorXd gradient_difference(const PatchLayout& layout, const Weights& we
   return (8 * (gradient(h) - gradient(-h)) - (gradient(2 * h) - gradient(-2 * h))) / (12 * h);
 }
 
-void expect_derivative_of_gradient(const Fixture& surface, CapKind cap, const Weights& weights) {
+void expect_derivative_of_gradient(const Refined& surface, CapKind cap, const Weights& weights) {
   const PatchLayout layout(surface.mesh, cap);
-  const Points direction = random_points(layout.control_count(), 2);
+  const Points direction = Random(2).points(layout.control_count());
   const Eigen::VectorXd product = hessian_times(layout, weights, surface.control, flat(direction));
   const Eigen::VectorXd expected = gradient_difference(layout, weights, surface.control, direction);
   EXPECT_LT((product - expected).norm(), 1e-6 * expected.norm());
 }
 
 TEST(EnergyHessian, is_the_derivative_of_the_gradient_for_every_functional) {
-  const Fixture surface = rough("two-3", 2);
+  const Refined surface = rough(*generate_cage("two-3"), 2, 0.02, 1);
   for (int f = 0; f < kFunctionalCount; ++f) {
     SCOPED_TRACE(kFunctionalNames[f]);
     Weights weights{};
@@ -102,10 +75,10 @@ TEST(EnergyHessian, is_the_derivative_of_the_gradient_for_every_functional) {
 }
 
 TEST(EnergyHessian, is_the_derivative_of_the_gradient_for_blends_and_other_caps) {
-  const Fixture coarse = rough("cube", 1);
+  const Refined coarse = rough(*generate_cage("cube"), 1, 0.02, 1);
   expect_derivative_of_gradient(coarse, CapKind::kSmooth, {0.5, 0.25, 0.1, 0.2, 0.3, 0.4});
   expect_derivative_of_gradient(coarse, CapKind::kNone, {1, 0.5, 0, 0, 0, 0});
 }
 
 }  // namespace
-}  // namespace umbilic
+}  // namespace umbilic::test

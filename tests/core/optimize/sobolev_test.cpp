@@ -8,30 +8,17 @@
 #include <random>
 
 #include "cage/generate.h"
+#include "energy/single_weight.h"
 #include "energy/surface_energy.h"
-#include "mesh/subdivision.h"
+#include "mesh/rough_cages.h"
+#include "optimize/identity_metric.h"
 #include "optimize/lbfgs.h"
+#include "surface/all_caps.h"
 
-namespace umbilic {
+namespace umbilic::test {
 namespace {
 
-struct Fixture {
-  PolygonMesh mesh;
-  Points control;
-};
-
-Fixture genus_two() {
-  const Cage cage = *generate_cage("two-3");
-  Refinement once = catmull_clark(PolygonMesh(cage));
-  Points control = once.stencil * cage.vertices;
-  return {std::move(once.mesh), std::move(control)};
-}
-
-Weights only(int functional) {
-  Weights weights{};
-  weights[functional] = 1;
-  return weights;
-}
+Refined genus_two() { return refined(*generate_cage("two-3"), 1); }
 
 Eigen::VectorXd random_vector(int size, int seed) {
   std::mt19937 random(seed);
@@ -65,15 +52,10 @@ class SurfaceFunction : public Objective {
   const SurfaceEnergy& energy_;
 };
 
-class Identity : public Metric {
- public:
-  Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override { return gradient; }
-};
-
 class SobolevMetricOfEveryCap : public testing::TestWithParam<CapKind> {};
 
 TEST_P(SobolevMetricOfEveryCap, is_symmetric_and_positive_definite) {
-  const Fixture f = genus_two();
+  const Refined f = genus_two();
   const PatchLayout layout(f.mesh, GetParam());
   const Eigen::VectorXd a = random_vector(int(f.control.size()), 1), b = random_vector(int(f.control.size()), 2);
   const Eigen::VectorXd to_a = solve(layout, only(kBending), f.control, a),
@@ -85,7 +67,7 @@ TEST_P(SobolevMetricOfEveryCap, is_symmetric_and_positive_definite) {
 
 /// Energies have no units, so the metric has those of 1/length^2.
 TEST_P(SobolevMetricOfEveryCap, scales_with_the_inverse_square_of_the_size_and_turns_with_the_surface) {
-  const Fixture f = genus_two();
+  const Refined f = genus_two();
   const PatchLayout layout(f.mesh, GetParam());
   for (const int functional : {int(kBending), int(kMvsCross)}) {
     const Eigen::VectorXd right = random_vector(int(f.control.size()), 3);
@@ -98,12 +80,11 @@ TEST_P(SobolevMetricOfEveryCap, scales_with_the_inverse_square_of_the_size_and_t
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Caps, SobolevMetricOfEveryCap,
-                         testing::Values(CapKind::kNone, CapKind::kFlat, CapKind::kSmooth));
+INSTANTIATE_TEST_SUITE_P(Caps, SobolevMetricOfEveryCap, testing::ValuesIn(kAllCaps));
 
 /// The energy is a squared seminorm of the same order, so this metric takes out its stiffness.
 TEST(SobolevMetric, leaves_less_than_half_of_what_the_plain_gradient_leaves_of_a_third_order_energy) {
-  const Fixture coarse = genus_two();
+  const Refined coarse = genus_two();
   const Refinement finer = catmull_clark(coarse.mesh);
   const Points control = finer.stencil * coarse.control;
   const PatchLayout layout(finer.mesh, CapKind::kSmooth);
@@ -130,4 +111,4 @@ TEST(SobolevMetric, leaves_less_than_half_of_what_the_plain_gradient_leaves_of_a
 }
 
 }  // namespace
-}  // namespace umbilic
+}  // namespace umbilic::test

@@ -7,18 +7,17 @@
 #include "mesh/rough_cages.h"
 #include "optimize/dense_assembly.h"
 #include "optimize/hessian_assembly.h"
+#include "surface/few_points.h"
 
 namespace umbilic::test {
 namespace {
-
-constexpr QuadratureRule kRule{3, 4, 1};
 
 struct Matrices {
   Eigen::MatrixXd hessian, sobolev, factors;
 };
 
 Matrices assembled(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights, const Points& control) {
-  HessianAssembly assembly(layout, unknowns, weights, kRule);
+  HessianAssembly assembly(layout, unknowns, weights, kFewPoints);
   assembly.begin(control);
   while (!assembly.advance()) {
   }
@@ -76,7 +75,7 @@ TEST(HessianAssembly, combines_linearly_and_progresses_from_0_to_1) {
   const Symmetric s(*generate_cage("two-3"), 2);
   const PatchLayout layout(s.mesh, CapKind::kSmooth);
   const Unknowns unknowns{Coordinates(s.mesh.vertex_count())};
-  HessianAssembly assembly(layout, unknowns, {0, 0, 0, 1, 0, 0}, kRule);
+  HessianAssembly assembly(layout, unknowns, {0, 0, 0, 1, 0, 0}, kFewPoints);
   assembly.begin(s.control);
   double progress = assembly.progress();
   EXPECT_EQ(progress, 0);

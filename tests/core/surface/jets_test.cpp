@@ -9,12 +9,12 @@
 
 #include "base/lanes.h"
 #include "mesh/rough_cages.h"
+#include "surface/all_caps.h"
 #include "surface/flat_frame.h"
 
 namespace umbilic::test {
 namespace {
 
-constexpr CapKind kAllCaps[] = {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth};
 constexpr QuadratureRule kRule{3, 3, 1};
 
 /// All jets of a surface, block after block.

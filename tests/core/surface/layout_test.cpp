@@ -9,11 +9,10 @@
 #include <set>
 
 #include "mesh/rough_cages.h"
+#include "surface/all_caps.h"
 
 namespace umbilic::test {
 namespace {
-
-constexpr CapKind kAllCaps[] = {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth};
 
 TEST(PatchLayout, covers_every_face_exactly_once) {
   for (const CapKind cap : kAllCaps) {
