@@ -87,6 +87,9 @@ export function createEffects({ client, save, load, setAddress }) {
       case 'downloadPressed':
         download(after, action.what);
         break;
+      case 'surfaceDrawn':
+        if (before.coarse) client.send({ type: 'detail', run });
+        break;
       case 'answered':
         if (action.message.type === 'exported' && action.message.run === run) {
           save(fileName(after, 'limit'), action.message.obj, 'model/obj');

@@ -29,6 +29,33 @@ function header() {
   };
 }
 
+/** What the studio draws with is run after its worker has begun, and asked for together with all else. @returns {import('vite').Plugin} */
+function preloads() {
+  const drawing = 'views/surface.js';
+  return {
+    name: 'preloads',
+    transformIndexHtml: {
+      order: 'post',
+      handler(html, { bundle = {}, chunk }) {
+        const chunks = Object.values(bundle).filter((output) => output.type === 'chunk');
+        const later = chunks.find(({ facadeModuleId }) => facadeModuleId?.endsWith(drawing));
+        if (!later || !chunk?.dynamicImports.includes(later.fileName)) return html;
+        const names = new Set([later.fileName]);
+        for (const name of names) {
+          for (const { fileName, imports } of chunks) if (fileName === name) imports.forEach((one) => names.add(one));
+        }
+        return [...names]
+          .filter((name) => !html.includes(name))
+          .map((name) => ({
+            tag: 'link',
+            attrs: { rel: 'modulepreload', crossorigin: true, href: `./${name}` },
+            injectTo: /** @type {const} */ ('head'),
+          }));
+      },
+    },
+  };
+}
+
 /** The catalog's data, which pages fetch and readers may link to. @returns {import('vite').Plugin} */
 function catalog() {
   return {
@@ -44,12 +71,20 @@ function catalog() {
 export default defineConfig({
   root: web,
   base: './',
-  plugins: [header(), catalog()],
+  plugins: [header(), preloads(), catalog()],
   build: {
     outDir,
     emptyOutDir: true,
     chunkSizeWarningLimit: 1500, // kB; three.js is one chunk
-    rolldownOptions: { input: pages.map((name) => path.join(web, name)) },
+    rolldownOptions: {
+      input: pages.map((name) => path.join(web, name)),
+      // One file of what pages have in common, because each file takes time of its own.
+      output: {
+        codeSplitting: {
+          groups: [{ name: 'common', test: /web.(address|colour|files|plot|views|words)./, minShareCount: 2 }],
+        },
+      },
+    },
   },
   worker: { format: 'es' },
   server: { fs: { allow: [path.join(web, '..')] } }, // the module of build/wasm

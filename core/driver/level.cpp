@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Builds the metric before the first iteration, and anew as the surface moves away from where it was built.
+/// Makes and builds the metric before the first iteration, and builds it anew as the surface moves away from where it
+/// was built.
 #include "driver/level.h"
 
 #include <algorithm>
@@ -41,24 +42,11 @@ const IdentityMetric kIdentityMetric;
 /// What is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost grows faster with
 /// the unknowns: without symmetry, where there are more patches for each of them, and sooner for functionals that
 /// converge well in any metric.
-MetricChoice choose(const Weights& weights, const Surface& surface, int unknowns) {
+MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
+  if (options.metric != MetricChoice::kAutomatic) return options.metric;
   const int second_order_most = surface.symmetry().order > 1 ? 2000 : 100;
-  const int most = third_order(weights) ? 8000 : second_order_most;
+  const int most = third_order(options.weights) ? 8000 : second_order_most;
   return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
-}
-
-/// Null for the identity.
-std::unique_ptr<SurfaceMetric> make_metric(MetricChoice choice, const Surface& surface, const Unknowns& unknowns,
-                                           const LevelOptions& options) {
-  switch (choice) {
-    case MetricChoice::kIdentity: return nullptr;
-    case MetricChoice::kSobolev: return std::make_unique<SobolevMetric>(surface.energy(), unknowns);
-    case MetricChoice::kHessian:
-      return std::make_unique<HessianMetric>(surface.layout(), unknowns, options.weights,
-                                             hessian_rule(options.cap, options.weights));
-    case MetricChoice::kAutomatic: break;
-  }
-  return make_metric(choose(options.weights, surface, unknowns.count()), surface, unknowns, options);
 }
 
 int euler_characteristic(const PolygonMesh& mesh) {
@@ -66,15 +54,14 @@ int euler_characteristic(const PolygonMesh& mesh) {
 }
 
 Unknowns unknowns_of(const RefinedCage& cage, const Coordinates& coordinates, const Surface& surface) {
-  Coordinates fine(surface.mesh(), surface.symmetry());
-  if (surface.level() == cage.level) return Unknowns(std::move(fine));
+  if (surface.level() == cage.level) return Unknowns(coordinates);
   Refinement step = catmull_clark(cage.mesh);
   Eigen::SparseMatrix<double> stencil = step.stencil;
   for (int level = cage.level + 1; level < surface.level(); ++level) {
     step = catmull_clark(step.mesh);
     stencil = (Eigen::SparseMatrix<double>(step.stencil) * stencil).eval();
   }
-  return Unknowns(std::move(fine), coordinates, stencil);
+  return Unknowns(Coordinates(surface.mesh(), surface.symmetry()), coordinates, stencil);
 }
 
 }  // namespace
@@ -85,11 +72,7 @@ Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options
       coordinates_(start_.mesh, start_.symmetry),
       surface_(refine(start_, evaluated_level - start_.level), options.cap, options.weights),
       unknowns_(unknowns_of(start_, coordinates_, surface_)),
-      objective_(surface_.energy(), unknowns_, euler_characteristic(surface_.mesh()), surface_.start()),
-      metric_(make_metric(options.metric, surface_, unknowns_, options)) {
-  if (metric_) metric_->begin(surface_.start());
-  building_ = metric_ != nullptr;
-}
+      metric_choice_(choose(options, surface_, unknowns_.count())) {}
 
 RefinedCage Level::best_cage() const {
   RefinedCage cage = start_;
@@ -105,7 +88,24 @@ void Level::start() {
   options.floor = kEnergyFloor;
   options.max_displacement = kLargestStep * extent(start_.control);
   const Metric& metric = metric_ ? static_cast<const Metric&>(*metric_) : kIdentityMetric;
-  lbfgs_ = std::make_unique<Lbfgs>(objective_, metric, coordinates_.unknowns(start_.control), options);
+  lbfgs_ = std::make_unique<Lbfgs>(*objective_, metric, coordinates_.unknowns(start_.control), options);
+}
+
+void Level::prepare() {
+  objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, euler_characteristic(surface_.mesh()),
+                                                  surface_.start());
+  if (metric_choice_ == MetricChoice::kIdentity) return;
+  make_metric();
+  rebuild_metric();
+}
+
+void Level::make_metric() {
+  if (metric_choice_ == MetricChoice::kSobolev) {
+    metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_);
+  } else {
+    metric_ = std::make_unique<HessianMetric>(surface_.layout(), unknowns_, options_.weights,
+                                              hessian_rule(options_.cap, options_.weights));
+  }
 }
 
 bool Level::metric_is_stale() const {
@@ -121,9 +121,14 @@ bool Level::metric_is_in_vain() const {
 
 bool Level::step() {
   if (cancelled_ || (lbfgs_ && lbfgs_->ended())) return true;
+  if (!objective_) {
+    prepare();
+    return false;
+  }
   if (lbfgs_ && !building_ && metric_is_stale()) {
     if (options_.metric == MetricChoice::kAutomatic && metric_is_in_vain()) {
-      metric_ = make_metric(MetricChoice::kSobolev, surface_, unknowns_, options_);
+      metric_choice_ = MetricChoice::kSobolev;
+      make_metric();
       lbfgs_->set_metric(*metric_);
     }
     rebuild_metric();
@@ -167,7 +172,7 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.energy = lbfgs_ && lbfgs_->evaluations() > 0 ? lbfgs_->best_value()
                                                       : surface_.energy().evaluate(surface_.start(), nullptr).energy;
   report.stop = StopReason::kCancelled;
-  report.metric = metric_ ? metric_->name() : "identity";
+  report.metric = kMetricChoiceNames[static_cast<int>(metric_choice_)];
   report.metrics = metrics_;
   report.evaluable = surface_.level() == start_.level;
   if (lbfgs_) {

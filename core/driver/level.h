@@ -28,7 +28,8 @@ struct LevelOptions {
 
 class Level {
  public:
-  /// Moves the points of `start`, and evaluates the surface on the mesh of `evaluated_level` >= start.level.
+  /// Moves the points of `start`, and evaluates the surface on the mesh of `evaluated_level` >= start.level. What only
+  /// the optimizer needs is made by the first steps, so that a surface that is but looked at is there soon.
   Level(RefinedCage start, int evaluated_level, const LevelOptions& options);
 
   /// One energy evaluation, or a part of a metric of no greater cost. Returns whether the level has ended.
@@ -49,7 +50,9 @@ class Level {
   LevelReport report(const EnergyReport& energies) const;
 
  private:
+  void prepare();
   void start();
+  void make_metric();
   void rebuild_metric();
   bool metric_is_stale() const;
   bool metric_is_in_vain() const;
@@ -59,8 +62,9 @@ class Level {
   Coordinates coordinates_;  // of `start_`
   Surface surface_;
   Unknowns unknowns_;
-  SurfaceObjective objective_;
-  std::unique_ptr<SurfaceMetric> metric_;
+  std::unique_ptr<SurfaceObjective> objective_;  // null before the first step, as is the metric
+  MetricChoice metric_choice_;                   // never kAutomatic
+  std::unique_ptr<SurfaceMetric> metric_;        // null for the identity
   bool building_ = false;
   std::unique_ptr<Lbfgs> lbfgs_;
   int metric_iteration_ = 0, metrics_ = 0;

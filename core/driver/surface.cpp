@@ -44,6 +44,7 @@ RefinedCage refine(RefinedCage cage, int steps) {
 Cage to_cage(const PolygonMesh& mesh, Points control) {
   Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count())};
   for (int f = 0; f < mesh.face_count(); ++f) {
+    cage.faces[f].reserve(mesh.face_size(f));
     for (int i = 0; i < mesh.face_size(f); ++i) cage.faces[f].push_back(mesh.origin(mesh.halfedge(f, i)));
   }
   return cage;
@@ -70,11 +71,17 @@ bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Erro
 }
 
 Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights)
-    : cage_(std::move(cage)),
-      weights_(weights),
-      layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry)),
-      jets_(layout_, minimizing_rule(cap, weights)),
-      energy_(jets_, weights) {}
+    : cage_(std::move(cage)), weights_(weights), layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry)) {}
+
+const JetEvaluator& Surface::jets() const {
+  if (!jets_) jets_ = std::make_unique<JetEvaluator>(layout_, minimizing_rule(layout_.cap(), weights_));
+  return *jets_;
+}
+
+const SurfaceEnergy& Surface::energy() const {
+  if (!energy_) energy_ = std::make_unique<SurfaceEnergy>(jets(), weights_);
+  return *energy_;
+}
 
 EnergyReport Surface::report(const Points& control) const {
   if (!reporting_jets_) reporting_jets_ = std::make_unique<JetEvaluator>(layout_, reporting_rule(layout_.cap()));
@@ -85,7 +92,7 @@ EnergyReport Surface::report(const Points& control) const {
       if (is_third_order(i)) report.functionals[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
-  report.quadrature_error = std::abs(objective(report) - energy_.evaluate(control, nullptr).energy);
+  report.quadrature_error = std::abs(objective(report) - energy().evaluate(control, nullptr).energy);
   return report;
 }
 

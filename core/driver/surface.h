@@ -52,8 +52,8 @@ class Surface {
   const Points& start() const { return cage_.control; }
   /// One patch of each orbit.
   const PatchLayout& layout() const { return layout_; }
-  const JetEvaluator& jets() const { return jets_; }
-  const SurfaceEnergy& energy() const { return energy_; }
+  const JetEvaluator& jets() const;
+  const SurfaceEnergy& energy() const;
 
   /// All energies by the reporting rule; the quadrature error is that of the weighted functional.
   EnergyReport report(const Points& control) const;
@@ -64,9 +64,9 @@ class Surface {
   RefinedCage cage_;
   Weights weights_;
   PatchLayout layout_;
-  JetEvaluator jets_;
-  SurfaceEnergy energy_;
-  mutable std::unique_ptr<JetEvaluator> reporting_jets_;
+  // Made when they are asked for the first time.
+  mutable std::unique_ptr<JetEvaluator> jets_, reporting_jets_;
+  mutable std::unique_ptr<SurfaceEnergy> energy_;
 };
 
 /// Whether third-order functionals diverge on the mesh with the cap; `error` names a vertex at fault.

@@ -5,8 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "driver/surface.h"
 #include "mesh/coordinates.h"
+#include "mesh/subdivision.h"
 
 namespace umbilic {
 
@@ -14,8 +17,13 @@ Result<SymmetricCage> symmetric_cage(const Cage& cage, int level, const Points& 
   if (level < 0) return Error{fmt::format("level {}: expected a number >= 0", level)};
   Result<RefinedCage> prepared = prepare({cage, {}}, level, true);
   if (!prepared) return prepared.error();
-  const RefinedCage refined = refine(std::move(prepared).value(), level);
-  const Coordinates coordinates(refined.mesh, refined.symmetry);
+  PolygonMesh mesh = std::move(prepared->mesh);
+  SymmetryGroup symmetry = std::move(prepared->symmetry);
+  for (int step = 0; step < level; ++step) {
+    symmetry = refined(symmetry, mesh);
+    mesh = catmull_clark_mesh(mesh);
+  }
+  const Coordinates coordinates(mesh, symmetry);
   if (orbit_points.rows() != coordinates.orbit_count()) {
     return Error{fmt::format("{} points: expected {}, one for each orbit of vertices at level {}", orbit_points.rows(),
                              coordinates.orbit_count(), level)};
@@ -23,7 +31,7 @@ Result<SymmetricCage> symmetric_cage(const Cage& cage, int level, const Points& 
   for (Eigen::Index i = 0; i < orbit_points.rows(); ++i) {
     if (!orbit_points.row(i).allFinite()) return Error{fmt::format("point {} is not finite", i + 1)};
   }
-  return SymmetricCage{to_cage(refined.mesh, coordinates.control_from_orbits(orbit_points)), refined.symmetry};
+  return SymmetricCage{to_cage(mesh, coordinates.control_from_orbits(orbit_points)), std::move(symmetry)};
 }
 
 }  // namespace umbilic

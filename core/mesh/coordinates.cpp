@@ -22,7 +22,11 @@ struct FixedSubspace {
   int dimension = 3;
 
   void intersect(const Matrix3d& isometry) {
-    if (dimension == 0) return;
+    if (dimension > 0 && (isometry - Matrix3d::Identity()).norm() >= kFixed) intersect_with_another(isometry);
+  }
+
+  /// Seldom, and large: apart from the loop over all vertices, a browser need not compile it well.
+  [[gnu::noinline]] void intersect_with_another(const Matrix3d& isometry) {
     const auto span = basis.leftCols(dimension);
     const Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> moved = isometry * span - span;
     if (moved.norm() < kFixed) return;

@@ -35,7 +35,7 @@ Result<int> required_level(const PolygonMesh& mesh) {
   }
   if (is_evaluable(mesh)) return 0;
   if (all_quads) return 1;  // old vertices stand apart after a step, and faces become vertices of valence 4
-  return is_evaluable(catmull_clark(mesh).mesh) ? 1 : 2;
+  return is_evaluable(catmull_clark_mesh(mesh)) ? 1 : 2;
 }
 
 }  // namespace umbilic

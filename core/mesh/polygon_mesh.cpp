@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Pairs half-edges by sorting their undirected end points.
+/// Pairs half-edges by their undirected end points: sorted by the smaller one, and at each vertex by the larger one.
 #include "mesh/polygon_mesh.h"
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <utility>
 
 namespace umbilic {
 
 PolygonMesh::PolygonMesh(const Cage& cage) : PolygonMesh(static_cast<int>(cage.vertices.rows()), cage.faces) {}
 
-PolygonMesh::PolygonMesh(int vertex_count, const std::vector<std::vector<int>>& faces)
-    : outgoing_(vertex_count, -1), valence_(vertex_count, 0) {
+PolygonMesh::PolygonMesh(int vertex_count) : outgoing_(vertex_count, -1), valence_(vertex_count, 0) {}
+
+PolygonMesh::PolygonMesh(int vertex_count, const std::vector<std::vector<int>>& faces) : PolygonMesh(vertex_count) {
+  add(faces);
+}
+
+PolygonMesh PolygonMesh::of_quads(int vertex_count, const std::vector<std::array<int, 4>>& quads) {
+  PolygonMesh mesh(vertex_count);
+  mesh.add(quads);
+  return mesh;
+}
+
+template <class Faces>
+void PolygonMesh::add(const Faces& faces) {
   first_.reserve(faces.size() + 1);
   first_.push_back(0);
   for (const auto& corners : faces) {
@@ -25,18 +38,26 @@ PolygonMesh::PolygonMesh(int vertex_count, const std::vector<std::vector<int>>& 
 
 void PolygonMesh::connect() {
   const int count = halfedge_count();
-  std::vector<std::pair<std::pair<int, int>, int>> ends(count);
+  std::vector<int> end(vertex_count() + 1, 0), sorted(count);
   for (int h = 0; h < count; ++h) {
-    ends[h] = {std::minmax(origin(h), target(h)), h};
     outgoing_[origin(h)] = outgoing_[origin(h)] < 0 ? h : outgoing_[origin(h)];
     ++valence_[origin(h)];
+    ++end[std::min(origin(h), target(h)) + 1];
   }
-  std::sort(ends.begin(), ends.end());
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  // Until they are filled, the half-edges of vertex v end where they begin.
+  for (int h = 0; h < count; ++h) sorted[end[std::min(origin(h), target(h))]++] = h;
+  const auto by_larger_end = [&](int a, int b) {
+    return std::pair(std::max(origin(a), target(a)), a) < std::pair(std::max(origin(b), target(b)), b);
+  };
+  for (int v = 0, begin = 0; v < vertex_count(); begin = end[v++]) {
+    std::sort(sorted.begin() + begin, sorted.begin() + end[v], by_larger_end);
+  }
   twin_.resize(count);
   edge_.resize(count);
   for (int i = 0; i + 1 < count; i += 2) {
-    const int h = ends[i].second, t = ends[i + 1].second;
-    assert(ends[i].first == ends[i + 1].first && origin(h) == target(t));
+    const int h = sorted[i], t = sorted[i + 1];
+    assert(origin(h) == target(t) && target(h) == origin(t));
     twin_[h] = t;
     twin_[t] = h;
     edge_[h] = edge_[t] = i / 2;

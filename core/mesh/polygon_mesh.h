@@ -3,6 +3,7 @@
 /// Connectivity of a closed oriented polygon mesh: half-edges named by the corners that they start from.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "cage/cage.h"
@@ -16,6 +17,7 @@ class PolygonMesh {
   /// `cage` has passed `validate`.
   explicit PolygonMesh(const Cage& cage);
   PolygonMesh(int vertex_count, const std::vector<std::vector<int>>& faces);
+  static PolygonMesh of_quads(int vertex_count, const std::vector<std::array<int, 4>>& quads);
 
   int vertex_count() const { return static_cast<int>(outgoing_.size()); }
   int face_count() const { return static_cast<int>(first_.size()) - 1; }
@@ -40,13 +42,16 @@ class PolygonMesh {
   bool is_extraordinary(int v) const { return valence_[v] != 4; }
 
  private:
+  explicit PolygonMesh(int vertex_count);
+  template <class Faces>
+  void add(const Faces& faces);
   void connect();
 
   std::vector<int> first_;     // face -> its first half-edge; one more entry than faces
   std::vector<int> origin_;    // half-edge -> vertex
   std::vector<int> face_;      // half-edge -> face
   std::vector<int> twin_;      // half-edge -> opposite half-edge
-  std::vector<int> edge_;      // half-edge -> edge
+  std::vector<int> edge_;      // half-edge -> edge; edges stand in the order of their smaller, then larger vertices
   std::vector<int> outgoing_;  // vertex -> one half-edge that leaves it
   std::vector<int> valence_;   // vertex -> number of edges
 };

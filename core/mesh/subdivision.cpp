@@ -3,6 +3,7 @@
 /// Face, edge and vertex rules of Catmull-Clark on polygons of any size.
 #include "mesh/subdivision.h"
 
+#include <array>
 #include <vector>
 
 namespace umbilic {
@@ -16,11 +17,19 @@ void add_face_point(const PolygonMesh& mesh, int f, double weight, int row,
 
 }  // namespace
 
+PolygonMesh catmull_clark_mesh(const PolygonMesh& mesh) {
+  const int vertices = mesh.vertex_count(), edges = mesh.edge_count(), faces = mesh.face_count();
+  std::vector<std::array<int, 4>> quads(mesh.halfedge_count());
+  for (int h = 0; h < mesh.halfedge_count(); ++h) {
+    quads[h] = {mesh.origin(h), vertices + mesh.edge(h), vertices + edges + mesh.face(h),
+                vertices + mesh.edge(mesh.previous(h))};
+  }
+  return PolygonMesh::of_quads(vertices + edges + faces, quads);
+}
+
 Refinement catmull_clark(const PolygonMesh& mesh) {
   const int vertices = mesh.vertex_count(), edges = mesh.edge_count(), faces = mesh.face_count();
   std::vector<Eigen::Triplet<double>> entries;
-  std::vector<std::vector<int>> quads(mesh.halfedge_count());
-
   for (int h = 0; h < mesh.halfedge_count(); ++h) {
     const int edge_row = vertices + mesh.edge(h);
     entries.emplace_back(edge_row, mesh.origin(h), 0.25);
@@ -31,14 +40,11 @@ Refinement catmull_clark(const PolygonMesh& mesh) {
     entries.emplace_back(v, v, 1 / (n * n));
     entries.emplace_back(v, mesh.target(h), 1 / (n * n));
     add_face_point(mesh, mesh.face(h), 1 / (n * n), v, entries);
-
-    quads[h] = {v, edge_row, vertices + edges + mesh.face(h), vertices + mesh.edge(mesh.previous(h))};
   }
   for (int v = 0; v < vertices; ++v) entries.emplace_back(v, v, (mesh.valence(v) - 3.0) / mesh.valence(v));
   for (int f = 0; f < faces; ++f) add_face_point(mesh, f, 1, vertices + edges + f, entries);
 
-  const int refined = vertices + edges + faces;
-  Refinement result{PolygonMesh(refined, quads), SparseMatrix(refined, vertices)};
+  Refinement result{catmull_clark_mesh(mesh), SparseMatrix(vertices + edges + faces, vertices)};
   result.stencil.setFromTriplets(entries.begin(), entries.end());
   return result;
 }

@@ -19,5 +19,7 @@ struct Refinement {
 /// Refined vertices stand in the order vertices, edges, faces of `mesh`; the quad of a half-edge h is
 /// (origin, edge of h, face, edge of previous h), in the order of the half-edges. Catmull & Clark 1978.
 Refinement catmull_clark(const PolygonMesh& mesh);
+/// The mesh alone.
+PolygonMesh catmull_clark_mesh(const PolygonMesh& mesh);
 
 }  // namespace umbilic

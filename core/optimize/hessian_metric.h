@@ -28,7 +28,6 @@ class HessianMetric : public SurfaceMetric {
 
   void begin(const Points& control) override;
   bool advance() override;
-  std::string_view name() const override { return "hessian"; }
   bool knows_hessian() const override { return true; }
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
   /// Whether mu is small, or fell no further.

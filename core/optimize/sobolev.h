@@ -22,7 +22,6 @@ class SobolevMetric : public SurfaceMetric {
 
   void begin(const Points& control) override;
   bool advance() override;
-  std::string_view name() const override { return "sobolev"; }
   bool knows_hessian() const override { return false; }
   bool settled() const override { return true; }
   double sobolev_share() const override { return 1; }

@@ -3,8 +3,6 @@
 /// Metrics that follow the surface: built at a surface in parts, used until the next is begun.
 #pragma once
 
-#include <string_view>
-
 #include "energy/surface_energy.h"
 #include "optimize/objective.h"
 
@@ -16,7 +14,6 @@ class SurfaceMetric : public Metric {
   virtual void begin(const Points& control) = 0;
   /// Does a part of the work, of about the cost of one energy evaluation; returns whether the metric is ready.
   virtual bool advance() = 0;
-  virtual std::string_view name() const = 0;
   /// Whether curvature pairs from before the metric was built say less than the metric.
   virtual bool knows_hessian() const = 0;
   /// Whether a metric built here and now would be no better: convergence in this one can be believed.

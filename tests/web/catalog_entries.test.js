@@ -39,6 +39,7 @@ function open({ run, source, settings, levelOffset }) {
   });
   obey({ type: 'open', run, source, options: optionsOf(settings, levelOffset) });
   for (const task of waiting) task();
+  obey({ type: 'detail', run });
   return messages;
 }
 

@@ -7,7 +7,7 @@ import { parseStudioAddress } from '../../web/address/studio.js';
 import { createEffects } from '../../web/effects.js';
 import { fileName, reportJson } from '../../web/files/report.js';
 import { initialState, reduce } from '../../web/state/reduce.js';
-import { answered, certificate, ended, levelReport, noLimit, openedMessages, resting, running } from './state.js';
+import { answered, certificate, ended, levelReport, noLimit, openedMessages, resting, running, mesh } from './state.js';
 
 /** @typedef {import('../../web/state/types.js').Action} Action */
 /** @typedef {import('../../web/state/types.js').State} State */
@@ -68,6 +68,20 @@ describe('the worker is told', () => {
         },
       },
     ]);
+  });
+
+  test('to go on with a coarse surface once it has been drawn, and nothing after other pictures', () => {
+    const surfaced = {
+      type: /** @type {const} */ ('surfaced'),
+      run: 1,
+      evaluations: 0,
+      limit: mesh(),
+      control: mesh(),
+    };
+    const coarse = run(resting(), answered({ ...surfaced, coarse: true }), { type: 'surfaceDrawn' });
+    expect(sent).toEqual([{ type: 'detail', run: 1 }]);
+    run(coarse, { type: 'surfaceDrawn' }, answered(surfaced), { type: 'surfaceDrawn' });
+    expect(sent).toHaveLength(1);
   });
 
   test('to optimize, pause, step and cancel the run that is open', () => {

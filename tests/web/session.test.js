@@ -17,6 +17,8 @@ let waiting;
 /** @type {ReturnType<typeof createSession>} */
 let obey;
 let clock = 0;
+/** How often all has been told of a surface at rest. */
+let rests = 0;
 /** Milliseconds between two looks at the clock. */
 let pace = 5;
 
@@ -26,12 +28,14 @@ beforeEach(() => {
   messages = [];
   waiting = [];
   clock = 0;
+  rests = 0;
   pace = 5;
   obey = createSession({
     core: { Cage, InputError, Minimizer },
     post: (message) => messages.push(message),
     yieldThen: (task) => waiting.push(task),
     now: () => (clock += pace),
+    rested: () => rests++,
   });
 });
 
@@ -85,7 +89,13 @@ describe('opening', () => {
     });
     obey({ type: 'open', run: 1, source, options: { ...options, levels: [0, 0] } });
     work();
+    expect(types()).toEqual(['opened', 'surfaced']); // what takes time waits until it has been drawn
+    expect(rests).toBe(0);
+    obey({ type: 'detail', run: 1 });
+    work();
     expect(types()).toEqual(['opened', 'surfaced', 'surfaced', 'saved', 'measured']);
+    expect(all('surfaced').map(({ coarse }) => coarse)).toEqual([true, undefined]);
+    expect(rests).toBe(1);
     const [opened, coarse, fine, , measured] = messages;
     expect(opened).toMatchObject({ counts: cage.counts, group: { name: 'D3h', order: 12 } });
     const quads = [coarse, fine].map(({ limit }) => limit.triangles.length / 6);

@@ -11,9 +11,10 @@ const SLOW = 80;
 
 /**
  * @param {() => void} draw may request the next frame
+ * @param {() => void} [drawn] is called once the browser has done its part
  * @returns {{request: () => void, isSlow: () => boolean, dispose: () => void}}
  */
-export function createPace(draw) {
+export function createPace(draw, drawn = () => {}) {
   let frame = 0;
   let busy = false;
   let again = false;
@@ -25,6 +26,7 @@ export function createPace(draw) {
   const channel = new MessageChannel();
   channel.port1.onmessage = () => {
     cost = performance.now() - start;
+    drawn();
     if (cost <= QUICK) return settle();
     pause = setTimeout(settle, cost);
   };

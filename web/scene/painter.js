@@ -18,9 +18,12 @@ const REFINE_AFTER = 350;
  * @param {(renderer: WebGLRenderer) => void} options.draw the whole picture
  * @param {(width: number, height: number) => void} options.resized in CSS pixels, before the picture of that size is drawn
  * @param {() => void} [options.prepare] before each requested picture; may request the next one
+ * @param {() => void} [options.drawn] after each requested picture
  */
-export function createPainter(canvas, { slow, draw, resized, prepare = () => {} }) {
+export function createPainter(canvas, { slow, draw, resized, prepare = () => {}, drawn }) {
   const renderer = new WebGLRenderer({ canvas, antialias: !slow, alpha: true, powerPreference: 'high-performance' });
+  // The driver's words on a shader are waited for.
+  renderer.debug.checkShaderErrors = false;
   renderer.toneMapping = NeutralToneMapping;
   const pixelRatio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
   renderer.setPixelRatio(pixelRatio);
@@ -31,6 +34,10 @@ export function createPainter(canvas, { slow, draw, resized, prepare = () => {} 
     canvas.dataset.picture = slow ? 'coarse' : 'fine';
     prepare();
     paint();
+    refineSoon();
+  }, drawn);
+
+  function refineSoon() {
     if (!slow) return;
     clearTimeout(refining);
     refining = setTimeout(() => {
@@ -38,7 +45,7 @@ export function createPainter(canvas, { slow, draw, resized, prepare = () => {} 
       paint(2);
       canvas.dataset.picture = 'fine';
     }, REFINE_AFTER);
-  });
+  }
 
   /** @param {number} [fineness] */
   function paint(fineness = 1) {
@@ -58,7 +65,9 @@ export function createPainter(canvas, { slow, draw, resized, prepare = () => {} 
     resized(clientWidth, clientHeight);
     // At once: a canvas that has been resized is blank until it is drawn.
     paint();
-    request();
+    if (canvas.dataset.picture !== 'fine') return;
+    canvas.dataset.picture = slow ? 'coarse' : 'fine';
+    refineSoon();
   }
 
   const observer = new ResizeObserver(resize);
@@ -67,6 +76,8 @@ export function createPainter(canvas, { slow, draw, resized, prepare = () => {} 
 
   return {
     request,
+    /** Draws without being asked, so that shaders are there when the first picture is. */
+    rehearse: () => draw(renderer),
     /** Whether pictures take too long to show a motion. */
     isSlow: () => slow || pace.isSlow(),
     dispose() {

@@ -37,10 +37,11 @@ function createCageLines(geometry) {
  * @param {boolean} options.calm without inertia
  * @param {boolean} options.slow drawn without graphics hardware
  * @param {(camera: Camera) => void} options.rested is called when the camera has been moved
+ * @param {() => void} [options.drawn] is called after each picture
  */
-export function createScene(canvas, { calm, slow, rested }) {
+export function createScene(canvas, { calm, slow, rested, drawn }) {
   const scene = new Scene();
-  const orbit = createOrbit(canvas, { moved: () => painter.request(), rested });
+  const orbit = createOrbit(canvas, { moved: requestRender, rested });
   const { camera, controls } = orbit;
   controls.zoomToCursor = true;
   addLights(scene, camera);
@@ -49,6 +50,7 @@ export function createScene(canvas, { calm, slow, rested }) {
   const surfaceGeometry = new BufferGeometry();
   const surface = new Mesh(surfaceGeometry, surfaceMaterial.material);
   surface.visible = false;
+  surface.frustumCulled = false;
   const cageGeometry = new BufferGeometry();
   const cage = createCageLines(cageGeometry);
   const model = new Group();
@@ -57,6 +59,7 @@ export function createScene(canvas, { calm, slow, rested }) {
 
   const painter = createPainter(canvas, {
     slow,
+    drawn,
     prepare() {
       // With inertia the update asks for the next frame itself, until it has come to rest; slow frames would make that long.
       controls.enableDamping = !calm && !painter.isSlow();
@@ -72,6 +75,8 @@ export function createScene(canvas, { calm, slow, rested }) {
       camera.setViewOffset(width, height, 0, RAISE * height, width, height);
     },
   });
+
+  rehearse();
 
   /** Where the surface was and how large, in the world, when it was fitted. */
   let size = { centre: new Vector3(), radius: 1 };
@@ -90,9 +95,24 @@ export function createScene(canvas, { calm, slow, rested }) {
     model.updateMatrixWorld();
   }
 
+  function requestRender() {
+    if (surface.visible) painter.request();
+  }
+
+  /** Draws a triangle without size as the surface will be drawn. */
+  function rehearse() {
+    const sizes = { positions: 9, normals: 9, curvatures: 6 };
+    const arrays = Object.entries(sizes).map(([name, size]) => [name, new Float32Array(size)]);
+    const [triangles, edges] = [new Uint32Array(3), new Uint32Array(0)];
+    setSurface(surfaceGeometry, { ...Object.fromEntries(arrays), triangles, edges });
+    surface.visible = true;
+    painter.rehearse();
+    surface.visible = false;
+  }
+
   return {
     controls,
-    requestRender: painter.request,
+    requestRender,
 
     /** Where the surface is looked at from. @param {Camera} next */
     setCamera: (next) => orbit.set(next),
@@ -104,7 +124,7 @@ export function createScene(canvas, { calm, slow, rested }) {
     setUp(axis) {
       model.rotation.x = axis === 'z' ? -Math.PI / 2 : 0;
       model.updateMatrixWorld();
-      painter.request();
+      requestRender();
     },
 
     /** @param {core.Mesh} mesh */
@@ -112,31 +132,31 @@ export function createScene(canvas, { calm, slow, rested }) {
       setSurface(surfaceGeometry, mesh);
       hold(mesh.positions);
       surface.visible = true;
-      painter.request();
+      requestRender();
     },
 
     /** @param {core.Mesh} mesh */
     setCage(mesh) {
       setEdges(cageGeometry, mesh);
-      painter.request();
+      requestRender();
     },
 
     /** @param {boolean} visible */
     showCage(visible) {
       cage.group.visible = visible;
-      painter.request();
+      requestRender();
     },
 
     /** @param {Quantity | null} quantity @param {Range | null} range */
     shade(quantity, range) {
       surfaceMaterial.shade(quantity, range);
-      painter.request();
+      requestRender();
     },
 
     /** @param {string} colour of the cage's lines, as in CSS */
     setLineColour(colour) {
       cage.materials.forEach((material) => material.color.set(new Color(colour)));
-      painter.request();
+      requestRender();
     },
 
     /**

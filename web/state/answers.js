@@ -42,7 +42,13 @@ function afterRunMessage(state, message) {
     case 'surfaced': {
       const { limit, control, evaluations } = message;
       const fits = state.fits + (state.fitDue ? 1 : 0);
-      return { ...state, surface: { limit, control, evaluations }, fits, fitDue: false };
+      return {
+        ...state,
+        surface: { limit, control, evaluations },
+        coarse: message.coarse ?? false,
+        fits,
+        fitDue: false,
+      };
     }
     case 'measured': {
       const latest = { energies: message.energies, evaluations: message.evaluations };
@@ -113,6 +119,7 @@ function afterOpened(state, opening, message) {
     group: message.group,
     exporting: false,
     certifying: null,
+    coarse: false,
   };
   if (purpose === 'recovery') {
     const minimizer = state.minimizer && showsEntry(state) ? { ...state.minimizer, run } : state.minimizer;

@@ -48,6 +48,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
     first: null,
     latest: null,
     surface: null,
+    coarse: false,
     saved: null,
     fits: 0,
     fitDue: false,
@@ -164,6 +165,8 @@ export function reduce(state, action) {
       return { ...state, view: { ...state.view, ...action.change } };
     case 'fitPressed':
       return { ...state, fits: state.fits + 1 };
+    case 'surfaceDrawn':
+      return { ...state, coarse: false };
     case 'downloadPressed':
       return action.what === 'limit' ? { ...state, exporting: true } : state;
     case 'alertDismissed':

@@ -97,6 +97,7 @@
  * @property {Measurement | null} first measurement of this run
  * @property {Measurement | null} latest
  * @property {Surface | null} surface
+ * @property {boolean} coarse whether more of it is to be asked for when it has been drawn
  * @property {SavedControl | null} saved
  * @property {number} fits how often the view was asked to fit the surface
  * @property {boolean} fitDue the next surface is a new cage's
@@ -121,6 +122,7 @@
  *   | {type: 'againPressed'}
  *   | {type: 'viewChanged', change: Partial<State['view']>}
  *   | {type: 'fitPressed'}
+ *   | {type: 'surfaceDrawn'}
  *   | {type: 'downloadPressed', what: 'control' | 'limit' | 'report'}
  *   | {type: 'alertDismissed'}
  *   | {type: 'answered', message: Message}

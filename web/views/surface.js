@@ -26,7 +26,14 @@ export function createSurfaceView(root, dispatch) {
   const speed = drawing();
   /** @param {Camera} camera */
   const rested = (camera) => dispatch({ type: 'viewChanged', change: { camera } });
-  const scene = speed === 'never' ? null : createScene(canvas, { calm, slow: speed === 'slow', rested });
+  /** Whether the worker waits for the picture before it goes on. */
+  let awaited = false;
+  function drawn() {
+    if (!awaited) return;
+    awaited = false;
+    dispatch({ type: 'surfaceDrawn' });
+  }
+  const scene = speed === 'never' ? null : createScene(canvas, { calm, slow: speed === 'slow', rested, drawn });
   find(root, '.no-webgl').hidden = Boolean(scene);
   canvas.hidden = !scene;
 
@@ -39,6 +46,10 @@ export function createSurfaceView(root, dispatch) {
 
   const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
   const setSurface = whenChanged((/** @type {Surface} */ surface) => scene?.setSurface(surface.limit));
+  const awaitPicture = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ coarse) => {
+    awaited = coarse;
+    if (!scene) queueMicrotask(drawn);
+  });
   const setCage = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ visible) => {
     if (visible) scene?.setCage(surface.control);
     scene?.showCage(visible);
@@ -66,6 +77,7 @@ export function createSurfaceView(root, dispatch) {
       setCamera(state.view.camera);
       setUp(state.cage?.source.kind === 'generated');
       setSurface(state.surface);
+      awaitPicture(state.surface, state.coarse);
       setCage(state.surface, state.view.cage);
       shade(quantityOf(state.view.shading), range);
       if (state.fits !== fits) {

@@ -26,7 +26,6 @@ export function yieldThen(task) {
 
 /**
  * @param {() => (command: Command) => void} begin is called when the core is there
- * @returns {Promise<boolean>} whether it is there, once the commands that came before are obeyed
  */
 export async function host(begin) {
   /** @type {((command: Command) => void) | undefined} */
@@ -42,10 +41,8 @@ export async function host(begin) {
     obey = begin();
     post({ type: 'started', version: version(), cages: cageNames() });
     early.forEach(obey);
-    return true;
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
     post({ type: 'failed', run: 0, kind: 'internal', message });
-    return false;
   }
 }

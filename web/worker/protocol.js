@@ -17,8 +17,12 @@
  */
 
 /**
- * Reads or makes the cage and shows its surface. Answers `opened`, `surfaced`, `measured`, or `failed`.
+ * Reads or makes the cage and shows its surface. Answers `opened`, `surfaced`, `saved`, `measured`, or `failed`; for a minimizer, which
+ * has many faces, `opened` and a coarse `surfaced` alone, so that nothing else takes the machine's time before it is on the screen.
  * @typedef {{type: 'open', run: number, source: Source, options: MinimizerOptions}} Open
+ *
+ * The coarse surface is on the screen. Answers what `open` has left out.
+ * @typedef {{type: 'detail', run: number}} Detail
  *
  * Minimizes until told otherwise. Answers `stepped`, `surfaced`, `saved`, `levelEnded`, at last `ended`. The first surface
  * that has moved comes before everything that takes longer than a step.
@@ -41,7 +45,7 @@
  *
  * Asks for a sign of life: `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Ping} Command
+ * @typedef {Open | Detail | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Ping} Command
  */
 
 /**
@@ -51,8 +55,8 @@
  * `group` is the symmetry that the run keeps.
  * @typedef {{type: 'opened', run: number, counts: CageCounts, group: Group}} Opened
  *
- * The surface as it is now; `evaluations` over all levels so far.
- * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: Mesh, control: Mesh}} Surfaced
+ * The surface as it is now; `evaluations` over all levels so far; `coarse` where `detail` tells more.
+ * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: Mesh, control: Mesh, coarse?: boolean}} Surfaced
  *
  * Its energies by the reporting rule.
  * @typedef {{type: 'measured', run: number, evaluations: number, energies: Energies}} Measured

@@ -10,6 +10,7 @@ import { Occasion } from './occasion.js';
 import { cageFrom } from './sources.js';
 
 /** @import {Cage, Minimizer} from '../../wasm/umbilic.js' */
+/** @import {Mesh} from '../../wasm/types.js' */
 /** @import {Command, Message, Open} from './protocol.js' */
 
 /**
@@ -18,6 +19,7 @@ import { cageFrom } from './sources.js';
  * @property {(message: Message) => void} post
  * @property {(task: () => void) => void} yieldThen runs the task after the messages that have arrived meanwhile
  * @property {() => number} now milliseconds
+ * @property {() => void} [rested] is called when all has been told of a surface that rests
  */
 
 /** Milliseconds between two meshes, and between two messages about steps. */
@@ -35,7 +37,7 @@ const MEASURE_STEPS = 8;
  * @param {Surroundings} surroundings
  * @returns {(command: Command) => void}
  */
-export function createSession({ core, post, yieldThen, now }) {
+export function createSession({ core, post, yieldThen, now, rested = () => {} }) {
   /** @type {Minimizer | null} */
   let minimizer = null;
   let run = 0;
@@ -45,7 +47,7 @@ export function createSession({ core, post, yieldThen, now }) {
   /** Whether a run that has opened has told nothing more yet. */
   let introducing = false;
   /** Whether it is a minimizer that has not been shown yet. */
-  let detailed = false;
+  let coarse = false;
   let levelsTold = 0;
   /** Of the surface that was told last: its level, faces of the mesh that it is evaluated on, and energy, if known. */
   let told = { level: -1, patches: 0, energy: NaN };
@@ -82,7 +84,7 @@ export function createSession({ core, post, yieldThen, now }) {
       run = command.run;
       pace = 'resting';
       introducing = true;
-      detailed = command.source.kind === 'minimizer';
+      coarse = command.source.kind === 'minimizer';
       levelsTold = 0;
       told = { level: -1, patches: 0, energy: NaN };
       firstEnergy = NaN;
@@ -98,36 +100,39 @@ export function createSession({ core, post, yieldThen, now }) {
   }
 
   /**
-   * A cage that rests is shown finely, a minimizer, which has many faces, coarsely before; one that is to be minimized at once is not,
-   * because what moves comes sooner.
+   * A cage that rests is shown finely, a minimizer coarsely until more is asked for; one that is to be minimized at once is not, because
+   * what moves comes sooner.
    * @param {number} opened
    */
   function introduce(opened) {
     if (!introducing || run !== opened) return;
-    if (pace === 'resting' && detailed) {
-      detailed = false;
-      tellSurface(MOVING_QUADS);
-      return yieldThen(() => guard(opened, () => introduce(opened)));
+    if (pace === 'resting' && coarse) {
+      coarse = false;
+      return tellSurface(MOVING_QUADS, true);
     }
     if (pace === 'resting') return tellRest();
     tellEnergies();
     surfaceOccasion.postpone();
   }
 
+  /** @param {Mesh} coarsest limit mesh, which has one quad for each face of the mesh that the surface is evaluated on */
+  const facesOf = (coarsest) => coarsest.triangles.length / 6;
+
   /** Faces of the mesh that the surface is evaluated on; the control mesh may be coarser. */
   function patches() {
-    if (current().progress.level === told.level) return told.patches;
-    return current().limitMesh(1).triangles.length / 6;
+    return current().progress.level === told.level ? told.patches : facesOf(current().limitMesh(1));
   }
 
-  /** @param {number} quads */
-  function tellSurface(quads) {
+  /** @param {number} quads @param {boolean} [first] whether a finer one is to be asked for */
+  function tellSurface(quads, first = false) {
     const { level, energy, totalEvaluations } = current().progress;
-    told = { level, patches: patches(), energy };
+    const coarsest = level === told.level ? null : current().limitMesh(1);
+    told = { level, patches: coarsest ? facesOf(coarsest) : told.patches, energy };
     shown = true;
     const control = current().controlMesh();
-    const limit = current().limitMesh(densityFor(told.patches, quads));
-    post({ type: 'surfaced', run, evaluations: totalEvaluations, limit, control });
+    const density = densityFor(told.patches, quads);
+    const limit = coarsest && density === 1 ? coarsest : current().limitMesh(density);
+    post({ type: 'surfaced', run, evaluations: totalEvaluations, limit, control, ...(first && { coarse: true }) });
   }
 
   function tellSaved() {
@@ -156,6 +161,7 @@ export function createSession({ core, post, yieldThen, now }) {
     tellSurface(RESTING_QUADS);
     tellSaved();
     tellEnergies();
+    rested();
   }
 
   function tellLevels() {
@@ -271,6 +277,8 @@ export function createSession({ core, post, yieldThen, now }) {
       return;
     }
     switch (command.type) {
+      case 'detail':
+        return introduce(run);
       case 'optimize':
         return go('running');
       case 'step':

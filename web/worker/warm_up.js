@@ -5,8 +5,8 @@
  * large cage takes three times as long, and Cancel waits for it.
  */
 
-/** Units of work that prepare a metric, factor it and evaluate a few energies. */
-const UNITS = 12;
+/** Units of work that begin a level, prepare a metric, factor it and evaluate a few energies. */
+const UNITS = 13;
 
 /**
  * @param {{Cage: typeof import('../../wasm/umbilic.js').Cage, Minimizer: typeof import('../../wasm/umbilic.js').Minimizer}} core

@@ -8,5 +8,13 @@ import { createSession } from './session.js';
 import { warmUp } from './warm_up.js';
 
 const core = { Cage, InputError, Minimizer };
-const loaded = await host(() => createSession({ core, post, yieldThen, now: () => performance.now() }));
-if (loaded) warmUp(core, yieldThen);
+let warm = false;
+
+/** Not before the first surface has been told, which must not wait for it. */
+function rested() {
+  if (warm) return;
+  warm = true;
+  warmUp(core, yieldThen);
+}
+
+host(() => createSession({ core, post, yieldThen, now: () => performance.now(), rested }));
