@@ -27,6 +27,9 @@ constexpr int kCheapPatches = 2100;
 /// Of levels that only prepare the first evaluable one.
 constexpr double kPreparingTolerance = 1e-3;
 
+/// Iterations between two looks at the quadrature's error, each at the cost of one or two evaluations.
+constexpr int kIterationsOfTrust = 100;
+
 /// Largest first displacement of a control point, relative to the cage's extent.
 constexpr double kLargestStep = 0.1;
 
@@ -55,7 +58,7 @@ std::unique_ptr<SurfaceMetric> make_metric(MetricChoice choice, const Surface& s
     case MetricChoice::kSobolev: return std::make_unique<SobolevMetric>(surface.energy(), unknowns);
     case MetricChoice::kHessian:
       return std::make_unique<HessianMetric>(surface.layout(), unknowns, options.weights,
-                                             hessian_rule(options.cap, options.weights));
+                                             hessian_rule(options.cap, options.weights, options.quadrature));
     case MetricChoice::kAutomatic: break;
   }
   return make_metric(choose(options.weights, surface, unknowns.count()), surface, unknowns, options);
@@ -83,10 +86,11 @@ Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options
     : options_(options),
       start_(std::move(start)),
       coordinates_(start_.mesh, start_.symmetry),
-      surface_(refine(start_, evaluated_level - start_.level), options.cap, options.weights),
+      surface_(refine(start_, evaluated_level - start_.level), options.cap, options.weights, options.quadrature),
       unknowns_(unknowns_of(start_, coordinates_, surface_)),
       objective_(surface_.energy(), unknowns_, euler_characteristic(surface_.mesh()), surface_.start()),
-      metric_(make_metric(options.metric, surface_, unknowns_, options)) {
+      metric_(make_metric(options.metric, surface_, unknowns_, options)),
+      start_energy_(objective_.start_energy()) {
   if (metric_) metric_->begin(surface_.start());
   building_ = metric_ != nullptr;
 }
@@ -98,10 +102,9 @@ RefinedCage Level::best_cage() const {
 }
 
 void Level::start() {
-  const bool evaluable = surface_.level() == start_.level;
   LbfgsOptions options;
   options.max_iterations = options_.max_iterations;
-  options.tolerance = evaluable ? options_.tolerance : std::max(options_.tolerance, kPreparingTolerance);
+  options.tolerance = evaluable() ? options_.tolerance : std::max(options_.tolerance, kPreparingTolerance);
   options.floor = kEnergyFloor;
   options.max_displacement = kLargestStep * extent(start_.control);
   const Metric& metric = metric_ ? static_cast<const Metric&>(*metric_) : kIdentityMetric;
@@ -158,6 +161,27 @@ void Level::cancel() {
   if (lbfgs_) lbfgs_->cancel();
 }
 
+bool Level::rule_is_in_question() const {
+  if (!lbfgs_ || cancelled_ || !evaluable()) return false;
+  const int iterations = lbfgs_->iterations();
+  return lbfgs_->ended() || (lbfgs_->between_iterations() && iterations > 0 && iterations % kIterationsOfTrust == 0);
+}
+
+bool Level::needs_finer_rule(const EnergyReport& energies) const {
+  return options_.quadrature < kFinestRules && lbfgs_->iterations() < options_.max_iterations &&
+         exploits_quadrature(start_energy_, lbfgs_->best_value(), surface_.objective(energies));
+}
+
+std::unique_ptr<Level> Level::with_finer_rule() const {
+  LevelOptions options = options_;
+  ++options.quadrature;
+  options.max_iterations -= lbfgs_->iterations();
+  auto level = std::make_unique<Level>(best_cage(), surface_.level(), options);
+  level->before_ = {iterations(), evaluations(), before_.metrics + metrics_};
+  level->start_energy_ = start_energy_;
+  return level;
+}
+
 LevelReport Level::report(const EnergyReport& energies) const {
   LevelReport report;
   report.level = number();
@@ -168,13 +192,12 @@ LevelReport Level::report(const EnergyReport& energies) const {
                                                       : surface_.energy().evaluate(surface_.start(), nullptr).energy;
   report.stop = StopReason::kCancelled;
   report.metric = metric_ ? metric_->name() : "identity";
-  report.metrics = metrics_;
-  report.evaluable = surface_.level() == start_.level;
-  if (lbfgs_) {
-    report.iterations = lbfgs_->iterations();
-    report.evaluations = lbfgs_->evaluations();
-    if (lbfgs_->ended()) report.stop = lbfgs_->stop();
-  }
+  report.metrics = before_.metrics + metrics_;
+  report.quadrature = options_.quadrature;
+  report.iterations = iterations();
+  report.evaluations = evaluations();
+  report.evaluable = evaluable();
+  if (lbfgs_ && lbfgs_->ended()) report.stop = lbfgs_->stop();
   return report;
 }
 

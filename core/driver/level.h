@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// One level of a run: a surface minimized by L-BFGS in a metric that follows it, one unit of work at a time.
+/// One level of a run: a surface minimized by L-BFGS in a metric that follows it, one unit of work at a time; and
+/// when it is to go on with a finer quadrature rule.
 #pragma once
 
 #include <memory>
@@ -24,6 +25,7 @@ struct LevelOptions {
   int max_iterations;
   double tolerance;
   MetricChoice metric;
+  int quadrature = 0;  ///< steps by which the rules are finer than usual, see driver/rules.h
 };
 
 class Level {
@@ -35,8 +37,18 @@ class Level {
   bool step();
   void cancel();
 
+  /// Whether the best surface's energies should be looked at, as they are now and then and at the level's end.
+  bool rule_is_in_question() const;
+  /// Whether they tell that the surface makes use of the quadrature's error, and a finer rule and iterations are left.
+  bool needs_finer_rule(const EnergyReport& energies) const;
+  /// The level's continuation from its best surface, by rules one step finer.
+  std::unique_ptr<Level> with_finer_rule() const;
+
   bool preparing() const { return !lbfgs_; }
   int number() const { return start_.level; }
+  /// Whether the mesh whose points are moved is the one that the surface is evaluated on.
+  bool evaluable() const { return surface_.level() == start_.level; }
+  int quadrature() const { return options_.quadrature; }
   const Surface& surface() const { return surface_; }
   /// Control points on the evaluated mesh of the best surface so far.
   Points best() const { return lbfgs_ ? unknowns_.control(lbfgs_->best()) : surface_.start(); }
@@ -44,6 +56,9 @@ class Level {
   RefinedCage best_cage() const;
   /// Null while preparing.
   const Lbfgs* lbfgs() const { return lbfgs_.get(); }
+  /// By all rules.
+  int iterations() const { return before_.iterations + (lbfgs_ ? lbfgs_->iterations() : 0); }
+  int evaluations() const { return before_.evaluations + (lbfgs_ ? lbfgs_->evaluations() : 0); }
 
   /// What there is to say so far, with the best surface's energies by the reporting rule.
   LevelReport report(const EnergyReport& energies) const;
@@ -64,7 +79,13 @@ class Level {
   bool building_ = false;
   std::unique_ptr<Lbfgs> lbfgs_;
   int metric_iteration_ = 0, metrics_ = 0;
+  double start_energy_;
   bool cancelled_ = false;
+
+  /// What was done with coarser rules.
+  struct {
+    int iterations = 0, evaluations = 0, metrics = 0;
+  } before_;
 };
 
 }  // namespace umbilic

@@ -69,11 +69,11 @@ bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Erro
   return false;
 }
 
-Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights)
+Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quadrature)
     : cage_(std::move(cage)),
       weights_(weights),
       layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry)),
-      jets_(layout_, minimizing_rule(cap, weights)),
+      jets_(layout_, minimizing_rule(cap, weights, quadrature)),
       energy_(jets_, weights) {}
 
 EnergyReport Surface::report(const Points& control) const {

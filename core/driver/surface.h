@@ -42,8 +42,8 @@ Result<RefinedCage> refine_to_evaluable(const Cage& cage, int level, bool symmet
 
 class Surface {
  public:
-  /// Of points with the symmetry of the cage.
-  Surface(RefinedCage cage, CapKind cap, const Weights& weights);
+  /// Of points with the symmetry of the cage, minimized by a rule so many steps finer than usual.
+  Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quadrature = 0);
 
   int level() const { return cage_.level; }
   const PolygonMesh& mesh() const { return cage_.mesh; }
