@@ -91,7 +91,7 @@ void umbilic_minimizer_cancel(umbilic_minimizer* minimizer);
 
 /**
  * progress: phase (0 prepare, 1 minimize, 2 report, 3 done), level, iterations, evaluations (both in this level),
- * evaluations in all, energy of the best surface by the minimizing rule (NaN before the first), its gradient norm,
+ * evaluations in all, energy of the best surface (NaN before the first), its gradient norm,
  * predicted decrease (NaN before the first iteration).
  */
 void umbilic_minimizer_progress(const umbilic_minimizer* minimizer, double progress[8]);

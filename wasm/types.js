@@ -30,8 +30,8 @@
  * @property {number} iterations in this level
  * @property {number} evaluations in this level
  * @property {number} totalEvaluations over all levels
- * @property {number} energy of the best surface of this level, by the quadrature rule that it is minimized with; NaN
- *   before the first evaluation with it
+ * @property {number} energy of the best surface of this level; NaN before the first evaluation. It rises only where the
+ *   level goes on with a finer quadrature rule
  * @property {number} gradientNorm of the best surface
  * @property {number} predictedDecrease what the level can still gain; NaN before the first iteration
  */

@@ -169,7 +169,7 @@ bool Level::rule_is_in_question() const {
 
 bool Level::needs_finer_rule(const EnergyReport& energies) const {
   return options_.quadrature < kFinestRules && lbfgs_->iterations() < options_.max_iterations &&
-         exploits_quadrature(start_energy_, lbfgs_->best_value(), surface_.objective(energies));
+         exploits_quadrature(options_.weights, start_energy_, lbfgs_->best_value(), surface_.objective(energies));
 }
 
 std::unique_ptr<Level> Level::with_finer_rule() const {
@@ -177,7 +177,7 @@ std::unique_ptr<Level> Level::with_finer_rule() const {
   ++options.quadrature;
   options.max_iterations -= lbfgs_->iterations();
   auto level = std::make_unique<Level>(best_cage(), surface_.level(), options);
-  level->before_ = {iterations(), evaluations(), before_.metrics + metrics_};
+  level->before_ = {iterations(), evaluations(), before_.metrics + metrics_, energy(), gradient_norm()};
   level->start_energy_ = start_energy_;
   return level;
 }
@@ -188,8 +188,7 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.patches = surface_.mesh().face_count();
   report.unknowns = unknowns_.count();
   report.energy_reported = surface_.objective(energies);
-  report.energy = lbfgs_ && lbfgs_->evaluations() > 0 ? lbfgs_->best_value()
-                                                      : surface_.energy().evaluate(surface_.start(), nullptr).energy;
+  report.energy = evaluated() ? lbfgs_->best_value() : surface_.energy().evaluate(surface_.start(), nullptr).energy;
   report.stop = StopReason::kCancelled;
   report.metric = metric_ ? metric_->name() : "identity";
   report.metrics = before_.metrics + metrics_;

@@ -4,6 +4,7 @@
 /// when it is to go on with a finer quadrature rule.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -59,6 +60,9 @@ class Level {
   /// By all rules.
   int iterations() const { return before_.iterations + (lbfgs_ ? lbfgs_->iterations() : 0); }
   int evaluations() const { return before_.evaluations + (lbfgs_ ? lbfgs_->evaluations() : 0); }
+  /// Of the best surface, by the rule that has evaluated it, and its gradient's norm; NaN before the first evaluation.
+  double energy() const { return evaluated() ? lbfgs_->best_value() : before_.energy; }
+  double gradient_norm() const { return evaluated() ? lbfgs_->best_gradient_norm() : before_.gradient_norm; }
 
   /// What there is to say so far, with the best surface's energies by the reporting rule.
   LevelReport report(const EnergyReport& energies) const;
@@ -68,6 +72,7 @@ class Level {
   void rebuild_metric();
   bool metric_is_stale() const;
   bool metric_is_in_vain() const;
+  bool evaluated() const { return lbfgs_ && lbfgs_->evaluations() > 0; }
 
   LevelOptions options_;
   RefinedCage start_;
@@ -85,6 +90,7 @@ class Level {
   /// What was done with coarser rules.
   struct {
     int iterations = 0, evaluations = 0, metrics = 0;
+    double energy = std::numeric_limits<double>::quiet_NaN(), gradient_norm = energy;
   } before_;
 };
 

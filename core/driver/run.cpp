@@ -61,8 +61,8 @@ struct Run::State {
     const Lbfgs* lbfgs = level->lbfgs();
     progress.iterations = level->iterations();
     progress.evaluations = level->evaluations();
-    progress.energy = lbfgs ? lbfgs->best_value() : kNaN;
-    progress.gradient_norm = lbfgs ? lbfgs->best_gradient_norm() : kNaN;
+    progress.energy = level->energy();
+    progress.gradient_norm = level->gradient_norm();
     progress.predicted_decrease = lbfgs ? lbfgs->predicted_decrease() : kNaN;
     progress.total_evaluations = progress.evaluations;
     for (const LevelReport& ended : levels) {

@@ -33,15 +33,18 @@ bool begins_again(const umbilic::Run& run) {
 }
 
 TEST(FinerRule, is_needed_where_the_error_is_a_share_of_the_gain_and_more_than_a_limit_could_bear) {
-  EXPECT_TRUE(exploits_quadrature(362.8, 351.2, 352.6)) << "an eighth of the gain";
-  EXPECT_TRUE(exploits_quadrature(362.8, 354.0, 352.6)) << "of either sign";
-  EXPECT_TRUE(exploits_quadrature(352.5, 351.2, 352.6)) << "with nothing gained at all";
-  EXPECT_FALSE(exploits_quadrature(362.8, 352.5, 352.6)) << "a hundredth";
-  EXPECT_FALSE(exploits_quadrature(352.6, 352.59, 352.6)) << "all of a gain, but of a size that matters to nobody";
-  EXPECT_FALSE(exploits_quadrature(362.8, 351.2, std::nan("")));
-  for (const double scale : {1e-3, 1e3}) {
-    EXPECT_TRUE(exploits_quadrature(scale * 362.8, scale * 351.2, scale * 352.6));
-    EXPECT_FALSE(exploits_quadrature(scale * 362.8, scale * 352.5, scale * 352.6));
+  for (const char* functional : {"bending", "mvs_cross"}) {
+    for (const double scale : {1e-3, 1.0, 1e3}) {
+      const auto exploits = [&](double start, double energy, double reported) {
+        return exploits_quadrature(*weights_of(functional), scale * start, scale * energy, scale * reported);
+      };
+      EXPECT_TRUE(exploits(362.8, 351.2, 352.6)) << "an eighth of the gain";
+      EXPECT_TRUE(exploits(362.8, 354.0, 352.6)) << "of either sign";
+      EXPECT_TRUE(exploits(352.5, 351.2, 352.6)) << "with nothing gained at all";
+      EXPECT_FALSE(exploits(362.8, 352.5, 352.6)) << "a hundredth";
+      EXPECT_FALSE(exploits(352.6, 352.59, 352.6)) << "all of a gain, but of a size that matters to nobody";
+      EXPECT_FALSE(exploits(362.8, 351.2, std::nan("")));
+    }
   }
 }
 
