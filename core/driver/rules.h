@@ -50,10 +50,10 @@ constexpr QuadratureRule reporting_rule(CapKind cap) {
   return {};
 }
 
-/// Quadrature errors that a level can live with, relative to what it has gained and to its energy. Bending's are at
-/// most 1/370 of the gain where the quadrature is good, and 1/26 to 1/4 where patches stretch until the curvature
-/// between the samples counts for nothing. Functionals of third order, not seen to do so, have errors of up to 1/23 of
-/// the gain at the first levels of a sphere, where little matters less.
+/// Quadrature errors that a level can live with, relative to what it has gained and to its energy. With caps
+/// bending's are at most 1/370 of the gain where the quadrature is good, but 1/26 to 1/4 where patches stretch until
+/// curvature hides between the samples. Functionals of third order have up to 1/23 at a sphere's first levels, which
+/// finer rules do not improve, and on frames 1/180.
 constexpr double harmless_share(const Weights& weights) { return third_order(weights) ? 0.05 : 0.02; }
 inline constexpr double kHarmlessError = 1e-4;
 
