@@ -262,12 +262,12 @@ int32_t umbilic_minimizer_level_count(const umbilic_minimizer* minimizer) {
   return int32_t(minimizer->run.levels().size());
 }
 
-const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t index, double level[10]) {
+const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t index, double level[11]) {
   const LevelReport& r = minimizer->run.levels()[index];
-  const double values[10] = {double(r.level),   double(r.patches),    double(r.unknowns),    r.energy,
+  const double values[11] = {double(r.level),   double(r.patches),    double(r.unknowns),    r.energy,
                              r.energy_reported, double(r.iterations), double(r.evaluations), r.seconds,
-                             double(r.metrics), double(r.evaluable)};
-  std::copy_n(values, 10, level);
+                             double(r.metrics), double(r.evaluable),  double(r.quadrature)};
+  std::copy_n(values, 11, level);
   return name_of(r.stop).data();
 }
 

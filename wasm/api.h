@@ -91,8 +91,8 @@ void umbilic_minimizer_cancel(umbilic_minimizer* minimizer);
 
 /**
  * progress: phase (0 prepare, 1 minimize, 2 report, 3 done), level, iterations, evaluations (both in this level),
- * evaluations in all, energy of the best surface (NaN before the first), its gradient norm, predicted decrease (NaN
- * before the first iteration).
+ * evaluations in all, energy of the best surface (NaN before the first), its gradient norm,
+ * predicted decrease (NaN before the first iteration).
  */
 void umbilic_minimizer_progress(const umbilic_minimizer* minimizer, double progress[8]);
 
@@ -101,10 +101,10 @@ int32_t umbilic_minimizer_level_count(const umbilic_minimizer* minimizer);
 
 /**
  * level: level, patches, unknowns, energy, energy_reported, iterations, evaluations, seconds, how often the metric was
- * built, whether the mesh that was moved is evaluable itself (1) or only prepares the first that is (0). Returns the
- * stop reason, static storage.
+ * built, whether the mesh that was moved is evaluable itself (1) or only prepares the first that is (0), steps by which
+ * its quadrature rules became finer than usual. Returns the stop reason, static storage.
  */
-const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t index, double level[10]);
+const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t index, double level[11]);
 /** "identity", "sobolev" or "hessian", static storage. */
 const char* umbilic_minimizer_level_metric(const umbilic_minimizer* minimizer, int32_t index);
 

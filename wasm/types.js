@@ -30,7 +30,8 @@
  * @property {number} iterations in this level
  * @property {number} evaluations in this level
  * @property {number} totalEvaluations over all levels
- * @property {number} energy of the best surface of this level; NaN before the first evaluation
+ * @property {number} energy of the best surface of this level; NaN before the first evaluation. It rises only where the
+ *   level goes on with a finer quadrature rule
  * @property {number} gradientNorm of the best surface
  * @property {number} predictedDecrease what the level can still gain; NaN before the first iteration
  */
@@ -50,6 +51,8 @@
  * @property {number} metrics how often the metric was built
  * @property {boolean} evaluable whether the mesh that was moved is the one that the surface was evaluated on; coarser
  *   ones only prepare the first of these
+ * @property {number} quadrature steps by which its quadrature rules became finer than usual, because the surface made
+ *   use of their error
  */
 
 /**

@@ -251,9 +251,20 @@ export class Minimizer {
   /** @param {number} index @returns {LevelReport} */
   #level(index) {
     let stop = 0;
-    const numbers = doublesFrom(10, (out) => (stop = core()._umbilic_minimizer_level(this.#alive, index, out)));
-    const [level, patches, unknowns, energy, energyReported, iterations, evaluations, seconds, metrics, evaluable] =
-      numbers;
+    const numbers = doublesFrom(11, (out) => (stop = core()._umbilic_minimizer_level(this.#alive, index, out)));
+    const [
+      level,
+      patches,
+      unknowns,
+      energy,
+      energyReported,
+      iterations,
+      evaluations,
+      seconds,
+      metrics,
+      evaluable,
+      quadrature,
+    ] = numbers;
     return {
       level,
       patches,
@@ -269,6 +280,7 @@ export class Minimizer {
       ),
       metrics,
       evaluable: evaluable !== 0,
+      quadrature,
     };
   }
 

@@ -41,18 +41,20 @@ Json json_of(const CertificateReport& certificate) {
 }
 
 Json json_of(const LevelReport& level) {
-  return {{"level", level.level},
-          {"patches", level.patches},
-          {"unknowns", level.unknowns},
-          {"energy", level.energy},
-          {"energy_reported", level.energy_reported},
-          {"iterations", level.iterations},
-          {"evaluations", level.evaluations},
-          {"seconds", level.seconds},
-          {"stop", std::string(name_of(level.stop))},
-          {"metric", std::string(level.metric)},
-          {"metrics", level.metrics},
-          {"evaluable", level.evaluable}};
+  Json result{{"level", level.level},
+              {"patches", level.patches},
+              {"unknowns", level.unknowns},
+              {"energy", level.energy},
+              {"energy_reported", level.energy_reported},
+              {"iterations", level.iterations},
+              {"evaluations", level.evaluations},
+              {"seconds", level.seconds},
+              {"stop", std::string(name_of(level.stop))},
+              {"metric", std::string(level.metric)},
+              {"metrics", level.metrics},
+              {"evaluable", level.evaluable}};
+  if (level.quadrature > 0) result["quadrature"] = level.quadrature;
+  return result;
 }
 
 Json json_of(const std::vector<LevelReport>& levels) {

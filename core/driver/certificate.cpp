@@ -59,11 +59,11 @@ struct Certificate::State {
   bool assembled = false, ready = false;
   CertificateReport report;
 
-  State(RefinedCage start, CapKind cap, const Weights& weights)
+  State(RefinedCage start, CapKind cap, const Weights& weights, int quadrature)
       : cage(std::move(start)),
         surface(cage, cap, weights),
         unknowns(Coordinates(cage.mesh.vertex_count())),
-        assembly(surface.layout(), unknowns, weights, minimizing_rule(cap, weights)) {
+        assembly(surface.layout(), unknowns, weights, minimizing_rule(cap, weights, quadrature)) {
     assembly.begin(cage.control);
     report.level = cage.level;
     report.unknowns = unknowns.count();
@@ -87,7 +87,7 @@ struct Certificate::State {
   }
 };
 
-Result<Certificate> Certificate::create(const RefinedCage& cage, CapKind cap, const Weights& weights) {
+Result<Certificate> Certificate::create(const RefinedCage& cage, CapKind cap, const Weights& weights, int quadrature) {
   if (cap == CapKind::kFlat) {
     return Error{"no certificate with cap flat: its second derivatives take the caps' normals as fixed"};
   }
@@ -97,7 +97,7 @@ Result<Certificate> Certificate::create(const RefinedCage& cage, CapKind cap, co
   }
   RefinedCage free = cage;
   free.symmetry = {};
-  return Certificate(std::make_unique<State>(std::move(free), cap, weights));
+  return Certificate(std::make_unique<State>(std::move(free), cap, weights, quadrature));
 }
 
 Certificate::Certificate(std::unique_ptr<State> state) : state_(std::move(state)) {}

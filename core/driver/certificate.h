@@ -33,8 +33,8 @@ struct RefinedCage;
 /// The work, in steps that a page can wait for.
 class Certificate {
  public:
-  /// Of a surface with these control points. Fails as `Run::certify`.
-  static Result<Certificate> create(const RefinedCage& cage, CapKind cap, const Weights& weights);
+  /// Of a surface with these control points, by a rule so many steps finer than usual. Fails as `Run::certify`.
+  static Result<Certificate> create(const RefinedCage& cage, CapKind cap, const Weights& weights, int quadrature = 0);
 
   Certificate(Certificate&&) noexcept;
   Certificate& operator=(Certificate&&) noexcept;

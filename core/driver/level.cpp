@@ -28,6 +28,9 @@ constexpr int kCheapPatches = 2100;
 /// Of levels that only prepare the first evaluable one.
 constexpr double kPreparingTolerance = 1e-3;
 
+/// Iterations between two looks at the quadrature's error, each at the cost of one or two evaluations.
+constexpr int kIterationsOfTrust = 100;
+
 /// Largest first displacement of a control point, relative to the cage's extent.
 constexpr double kLargestStep = 0.1;
 
@@ -70,7 +73,7 @@ Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options
     : options_(options),
       start_(std::move(start)),
       coordinates_(start_.mesh, start_.symmetry),
-      surface_(refine(start_, evaluated_level - start_.level), options.cap, options.weights),
+      surface_(refine(start_, evaluated_level - start_.level), options.cap, options.weights, options.quadrature),
       unknowns_(unknowns_of(start_, coordinates_, surface_)),
       metric_choice_(choose(options, surface_, unknowns_.count())) {}
 
@@ -81,10 +84,9 @@ RefinedCage Level::best_cage() const {
 }
 
 void Level::start() {
-  const bool evaluable = surface_.level() == start_.level;
   LbfgsOptions options;
   options.max_iterations = options_.max_iterations;
-  options.tolerance = evaluable ? options_.tolerance : std::max(options_.tolerance, kPreparingTolerance);
+  options.tolerance = evaluable() ? options_.tolerance : std::max(options_.tolerance, kPreparingTolerance);
   options.floor = kEnergyFloor;
   options.max_displacement = kLargestStep * extent(start_.control);
   const Metric& metric = metric_ ? static_cast<const Metric&>(*metric_) : kIdentityMetric;
@@ -94,6 +96,7 @@ void Level::start() {
 void Level::prepare() {
   objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, euler_characteristic(surface_.mesh()),
                                                   surface_.start());
+  if (!start_energy_) start_energy_ = objective_->start_energy();
   if (metric_choice_ == MetricChoice::kIdentity) return;
   make_metric();
   rebuild_metric();
@@ -104,7 +107,7 @@ void Level::make_metric() {
     metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_);
   } else {
     metric_ = std::make_unique<HessianMetric>(surface_.layout(), unknowns_, options_.weights,
-                                              hessian_rule(options_.cap, options_.weights));
+                                              hessian_rule(options_.cap, options_.weights, options_.quadrature));
   }
 }
 
@@ -163,23 +166,42 @@ void Level::cancel() {
   if (lbfgs_) lbfgs_->cancel();
 }
 
+bool Level::rule_is_in_question() const {
+  if (!lbfgs_ || cancelled_ || !evaluable()) return false;
+  const int iterations = lbfgs_->iterations();
+  return lbfgs_->ended() || (lbfgs_->between_iterations() && iterations > 0 && iterations % kIterationsOfTrust == 0);
+}
+
+bool Level::needs_finer_rule(const EnergyReport& energies) const {
+  return options_.quadrature < kFinestRules && lbfgs_->iterations() < options_.max_iterations &&
+         exploits_quadrature(options_.weights, *start_energy_, lbfgs_->best_value(), surface_.objective(energies));
+}
+
+std::unique_ptr<Level> Level::with_finer_rule() const {
+  LevelOptions options = options_;
+  ++options.quadrature;
+  options.max_iterations -= lbfgs_->iterations();
+  auto level = std::make_unique<Level>(best_cage(), surface_.level(), options);
+  level->before_ = {iterations(), evaluations(), before_.metrics + metrics_, energy(), gradient_norm()};
+  level->start_energy_ = start_energy_;
+  return level;
+}
+
 LevelReport Level::report(const EnergyReport& energies) const {
   LevelReport report;
   report.level = number();
   report.patches = surface_.mesh().face_count();
   report.unknowns = unknowns_.count();
   report.energy_reported = surface_.objective(energies);
-  report.energy = lbfgs_ && lbfgs_->evaluations() > 0 ? lbfgs_->best_value()
-                                                      : surface_.energy().evaluate(surface_.start(), nullptr).energy;
+  report.energy = evaluated() ? lbfgs_->best_value() : surface_.energy().evaluate(surface_.start(), nullptr).energy;
   report.stop = StopReason::kCancelled;
   report.metric = kMetricChoiceNames[static_cast<int>(metric_choice_)];
-  report.metrics = metrics_;
-  report.evaluable = surface_.level() == start_.level;
-  if (lbfgs_) {
-    report.iterations = lbfgs_->iterations();
-    report.evaluations = lbfgs_->evaluations();
-    if (lbfgs_->ended()) report.stop = lbfgs_->stop();
-  }
+  report.metrics = before_.metrics + metrics_;
+  report.quadrature = options_.quadrature;
+  report.iterations = iterations();
+  report.evaluations = evaluations();
+  report.evaluable = evaluable();
+  if (lbfgs_ && lbfgs_->ended()) report.stop = lbfgs_->stop();
   return report;
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// One level of a run: a surface minimized by L-BFGS in a metric that follows it, one unit of work at a time.
+/// One level of a run: a surface minimized by L-BFGS in a metric that follows it, one unit of work at a time; and
+/// when it is to go on with a finer quadrature rule.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "driver/metric_choice.h"
 #include "driver/surface.h"
@@ -24,6 +27,7 @@ struct LevelOptions {
   int max_iterations;
   double tolerance;
   MetricChoice metric;
+  int quadrature = 0;  ///< steps by which the rules are finer than usual, see driver/rules.h
 };
 
 class Level {
@@ -36,8 +40,18 @@ class Level {
   bool step();
   void cancel();
 
+  /// Whether the best surface's energies should be looked at, as they are now and then and at the level's end.
+  bool rule_is_in_question() const;
+  /// Whether they tell that the surface makes use of the quadrature's error, and a finer rule and iterations are left.
+  bool needs_finer_rule(const EnergyReport& energies) const;
+  /// The level's continuation from its best surface, by rules one step finer.
+  std::unique_ptr<Level> with_finer_rule() const;
+
   bool preparing() const { return !lbfgs_; }
   int number() const { return start_.level; }
+  /// Whether the mesh whose points are moved is the one that the surface is evaluated on.
+  bool evaluable() const { return surface_.level() == start_.level; }
+  int quadrature() const { return options_.quadrature; }
   const Surface& surface() const { return surface_; }
   /// Control points on the evaluated mesh of the best surface so far.
   Points best() const { return lbfgs_ ? unknowns_.control(lbfgs_->best()) : surface_.start(); }
@@ -45,6 +59,12 @@ class Level {
   RefinedCage best_cage() const;
   /// Null while preparing.
   const Lbfgs* lbfgs() const { return lbfgs_.get(); }
+  /// By all rules.
+  int iterations() const { return before_.iterations + (lbfgs_ ? lbfgs_->iterations() : 0); }
+  int evaluations() const { return before_.evaluations + (lbfgs_ ? lbfgs_->evaluations() : 0); }
+  /// Of the best surface, by the rule that has evaluated it, and its gradient's norm; NaN before the first evaluation.
+  double energy() const { return evaluated() ? lbfgs_->best_value() : before_.energy; }
+  double gradient_norm() const { return evaluated() ? lbfgs_->best_gradient_norm() : before_.gradient_norm; }
 
   /// What there is to say so far, with the best surface's energies by the reporting rule.
   LevelReport report(const EnergyReport& energies) const;
@@ -56,6 +76,7 @@ class Level {
   void rebuild_metric();
   bool metric_is_stale() const;
   bool metric_is_in_vain() const;
+  bool evaluated() const { return lbfgs_ && lbfgs_->evaluations() > 0; }
 
   LevelOptions options_;
   RefinedCage start_;
@@ -68,7 +89,14 @@ class Level {
   bool building_ = false;
   std::unique_ptr<Lbfgs> lbfgs_;
   int metric_iteration_ = 0, metrics_ = 0;
+  std::optional<double> start_energy_;  // of the level's first surface by its first rule
   bool cancelled_ = false;
+
+  /// What was done with coarser rules.
+  struct {
+    int iterations = 0, evaluations = 0, metrics = 0;
+    double energy = std::numeric_limits<double>::quiet_NaN(), gradient_norm = energy;
+  } before_;
 };
 
 }  // namespace umbilic

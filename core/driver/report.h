@@ -35,6 +35,7 @@ struct LevelReport {
   StopReason stop = StopReason::kConverged;
   std::string_view metric;  ///< "identity", "sobolev" or "hessian"
   int metrics = 0;          ///< how often the metric was built
+  int quadrature = 0;       ///< steps by which its rules became finer than usual, see driver/rules.h
   bool evaluable = true;  ///< whether the moved mesh is the evaluated one; coarser ones only prepare the first of these
 };
 

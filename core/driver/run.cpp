@@ -57,10 +57,10 @@ struct Run::State {
   void update_progress() {
     progress.level = level->number();
     const Lbfgs* lbfgs = level->lbfgs();
-    progress.iterations = lbfgs ? lbfgs->iterations() : 0;
-    progress.evaluations = lbfgs ? lbfgs->evaluations() : 0;
-    progress.energy = lbfgs ? lbfgs->best_value() : std::numeric_limits<double>::quiet_NaN();
-    progress.gradient_norm = lbfgs ? lbfgs->best_gradient_norm() : std::numeric_limits<double>::quiet_NaN();
+    progress.iterations = level->iterations();
+    progress.evaluations = level->evaluations();
+    progress.energy = level->energy();
+    progress.gradient_norm = level->gradient_norm();
     progress.predicted_decrease = lbfgs ? lbfgs->predicted_decrease() : std::numeric_limits<double>::quiet_NaN();
     progress.total_evaluations = progress.evaluations;
     for (const LevelReport& ended : levels) {
@@ -73,18 +73,23 @@ struct Run::State {
       case Phase::kPrepare:
       case Phase::kMinimize: {
         const double before = progress.energy;
-        if (level->step()) {
-          progress.phase = Phase::kReport;
-        } else {
-          progress.phase = level->preparing() ? Phase::kPrepare : Phase::kMinimize;
-        }
+        const bool ended = level->step();
+        progress.phase = ended ? Phase::kReport : level->preparing() ? Phase::kPrepare : Phase::kMinimize;
         update_progress();
         if (!(progress.energy == before)) energies.reset();
+        if (level->rule_is_in_question() && level->needs_finer_rule(report_energies())) take_finer_rule();
         break;
       }
       case Phase::kReport: end_level(); break;
       case Phase::kDone: break;
     }
+  }
+
+  void take_finer_rule() {
+    level = level->with_finer_rule();
+    energies.reset();
+    progress.phase = Phase::kPrepare;
+    update_progress();
   }
 
   void end_level() {
@@ -177,7 +182,7 @@ LimitReport Run::limit() const { return extrapolate(state_->energies_of_levels, 
 Result<Certificate> Run::certify() const {
   const Level& level = *state_->level;
   return Certificate::create({level.surface().level(), level.surface().mesh(), level.best(), {}}, state_->options.cap,
-                             state_->options.weights);
+                             state_->options.weights, level.quadrature());
 }
 
 Cage Run::control_mesh() const {

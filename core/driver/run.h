@@ -41,7 +41,9 @@ struct Progress {
   int iterations = 0;         ///< in this level
   int evaluations = 0;        ///< in this level
   int total_evaluations = 0;  ///< over all levels
-  double energy = 0;  ///< of the best surface of this level, by the minimizing rule; NaN before the first evaluation
+  /// Of the best surface of this level, by the minimizing rule; NaN before the first evaluation. Where the surface
+  /// makes use of that rule's error the level goes on from it with a finer rule, by which its energy is higher.
+  double energy = 0;
   double gradient_norm = 0;       ///< Euclidean, of the best surface, with respect to the control points
   double predicted_decrease = 0;  ///< estimate of what this level can still gain; NaN before the first iteration
 };

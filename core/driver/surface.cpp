@@ -70,11 +70,14 @@ bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Erro
   return false;
 }
 
-Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights)
-    : cage_(std::move(cage)), weights_(weights), layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry)) {}
+Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quadrature)
+    : cage_(std::move(cage)),
+      weights_(weights),
+      quadrature_(quadrature),
+      layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry)) {}
 
 const JetEvaluator& Surface::jets() const {
-  if (!jets_) jets_ = std::make_unique<JetEvaluator>(layout_, minimizing_rule(layout_.cap(), weights_));
+  if (!jets_) jets_ = std::make_unique<JetEvaluator>(layout_, minimizing_rule(layout_.cap(), weights_, quadrature_));
   return *jets_;
 }
 

@@ -42,8 +42,8 @@ Result<RefinedCage> refine_to_evaluable(const Cage& cage, int level, bool symmet
 
 class Surface {
  public:
-  /// Of points with the symmetry of the cage.
-  Surface(RefinedCage cage, CapKind cap, const Weights& weights);
+  /// Of points with the symmetry of the cage, minimized by a rule so many steps finer than usual.
+  Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quadrature = 0);
 
   int level() const { return cage_.level; }
   const PolygonMesh& mesh() const { return cage_.mesh; }
@@ -63,6 +63,7 @@ class Surface {
  private:
   RefinedCage cage_;
   Weights weights_;
+  int quadrature_;
   PatchLayout layout_;
   // Made when they are asked for the first time.
   mutable std::unique_ptr<JetEvaluator> jets_, reporting_jets_;

@@ -22,8 +22,9 @@ constexpr double kLargestDefect = 0.5;
 SurfaceObjective::SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, int euler_characteristic,
                                    const Points& start)
     : energy_(energy), unknowns_(unknowns), total_curvature_(2 * std::numbers::pi * euler_characteristic) {
-  const double defect = std::abs(energy.evaluate(start, nullptr).gaussian - total_curvature_);
-  largest_defect_ = std::max(kLargestDefect, 2 * defect);
+  const EnergyValue value = energy.evaluate(start, nullptr);
+  start_energy_ = value.energy;
+  largest_defect_ = std::max(kLargestDefect, 2 * std::abs(value.gaussian - total_curvature_));
 }
 
 void SurfaceObjective::evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const {

@@ -20,10 +20,12 @@ class SurfaceObjective : public Objective {
 
   void evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const override;
 
+  double start_energy() const { return start_energy_; }
+
  private:
   const SurfaceEnergy& energy_;
   const Unknowns& unknowns_;
-  double total_curvature_, largest_defect_;
+  double start_energy_, total_curvature_, largest_defect_;
   mutable Points control_, gradient_;
 };
 

@@ -147,6 +147,15 @@ describe('options', () => {
     expect(report.levels[0]).toMatchObject({ iterations: 3, stop: 'max_iterations' });
   });
 
+  test('a level that went on with finer quadrature rules says by how many steps, others do not', () => {
+    outputOf(['cage', 'dodecahedron-frame', '-o', 'dodecahedron.obj'], scratch);
+    const line = 'optimize dodecahedron.obj --functional bending --levels 0..2 --report -';
+    const { levels } = jsonOf(line.split(' '), scratch);
+    expect(levels.map((/** @type {any} */ l) => l.quadrature)).toEqual([undefined, undefined, 1]);
+    expect(levels[2].stop).toBe('converged');
+    expect(Math.abs(levels[2].energy / levels[2].energy_reported - 1)).toBeLessThan(1e-4);
+  });
+
   test('--max-iterations 0 evaluates only', () => {
     const line = 'optimize frame.obj --functional bending --levels 1 --max-iterations 0 --report -';
     const { energies } = jsonOf(line.split(' '), scratch);

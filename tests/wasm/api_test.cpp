@@ -58,7 +58,7 @@ TEST(Api, minimizes_in_the_metric_that_is_asked_for) {
   const char* const names[] = {"hessian", "identity", "sobolev", "hessian"};
   for (int metric = 0; metric < 4; ++metric) {
     umbilic_minimizer* minimizer = minimized("cube", {.metric = metric, .max_iterations = 3});
-    double level[10];
+    double level[11];
     ASSERT_EQ(umbilic_minimizer_level_count(minimizer), 1);
     umbilic_minimizer_level(minimizer, 0, level);
     EXPECT_STREQ(umbilic_minimizer_level_metric(minimizer, 0), names[metric]);
@@ -70,7 +70,7 @@ TEST(Api, minimizes_in_the_metric_that_is_asked_for) {
 TEST(Api, tells_which_levels_only_prepare_the_first_evaluable_one) {
   umbilic_minimizer* minimizer = minimized("cube", {.first_level = 0, .last_level = 1});
   ASSERT_EQ(umbilic_minimizer_level_count(minimizer), 2);
-  double level[10];
+  double level[11];
   EXPECT_NE(std::string(umbilic_minimizer_level(minimizer, 0, level)), "");
   EXPECT_EQ(level[0], 0);
   EXPECT_EQ(level[1], 24) << "evaluated on the faces of level 1";

@@ -184,6 +184,7 @@ describe('a download', () => {
     expect(report.group).toEqual({ name: 'D3h', order: 12 });
     expect(report.extrapolated).toEqual({ status: 'too_few_levels', energy: 120.1, order: null, error: null });
     expect(report.levels[0]).toMatchObject({ level: 2, metric: 'hessian', metrics: 3, evaluable: true });
+    expect(report.levels[0]).not.toHaveProperty('quadrature');
     expect(report.certificate).toEqual({ level: 2, unknowns: 1146, gauge: 7, tau: 0.001, negative: 6 });
     const before = JSON.parse(reportJson(resting()));
     expect(before.group).toEqual({ name: 'D3h', order: 12 });

@@ -250,6 +250,33 @@ describe('a run', () => {
     }
   });
 
+  test('goes on showing its surface where a finer quadrature rule lets the energy rise', () => {
+    const source = /** @type {const} */ ({
+      kind: 'generated',
+      name: 'dodecahedron-frame',
+      family: 'flag',
+      thickness: 1,
+    });
+    obey({ type: 'open', run: 1, source, options: { ...options, levels: [0, 2] } });
+    work();
+    obey({ type: 'optimize', run: 1 });
+    work();
+    const samples = all('stepped').flatMap((message) => [...message.samples]);
+    /** @type {Array<{evaluations: number, energy: number, level: number}>} */
+    const steps = [];
+    for (let i = 0; i < samples.length; i += SAMPLE_SIZE) {
+      steps.push({ evaluations: samples[i], energy: samples[i + 1], level: samples[i + 3] });
+    }
+    for (const { energy } of steps) expect(Number.isFinite(energy)).toBe(true);
+    const rise = steps.findIndex(
+      ({ energy, level }, i) => i > 0 && level === steps[i - 1].level && energy > steps[i - 1].energy,
+    );
+    expect(steps[rise].level).toBe(2);
+    expect(all('levelEnded').map(({ report }) => report.quadrature)).toEqual([0, 0, 1]);
+    const shown = all('surfaced').filter(({ evaluations }) => evaluations > steps[rise].evaluations);
+    expect(shown.length).toBeGreaterThan(2);
+  });
+
   test('that is long in preparing its first step after it was opened shows its cage meanwhile', () => {
     pace = 50;
     open(1);

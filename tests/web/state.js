@@ -73,6 +73,7 @@ export function levelReport(level, more = {}) {
     metric: 'hessian',
     metrics: 1,
     evaluable: true,
+    quadrature: 0,
     ...more,
   };
 }

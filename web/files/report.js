@@ -51,6 +51,7 @@ export function reportJson(state) {
       metric: level.metric,
       metrics: level.metrics,
       evaluable: level.evaluable,
+      ...(level.quadrature && { quadrature: level.quadrature }),
     })),
     ...(certificate && { certificate }),
   };

@@ -60,8 +60,9 @@ export function energiesOf({ energies, quadrature_error }) {
 
 /** @param {CatalogEntry} entry @returns {LevelReport[]} whose seconds are not known */
 export function levelsOf({ levels }) {
-  return levels.map(({ energy_reported, ...level }) => ({
+  return levels.map(({ energy_reported, quadrature = 0, ...level }) => ({
     ...level,
+    quadrature,
     energy: orNaN(level.energy),
     energyReported: orNaN(energy_reported),
     seconds: NaN,

@@ -185,7 +185,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     // The first evaluation is that of the surface at rest.
     if (evaluations === 1) firstEnergy = energy;
     if (level === told.level && Number.isNaN(told.energy)) told.energy = energy;
-    const moved = level !== told.level || energy < told.energy;
+    // It rises where the core goes on with a finer quadrature rule.
+    const moved = level !== told.level || (energy !== told.energy && !Number.isNaN(energy));
     const quick = stepCost * MEASURE_STEPS < MEASURE_LIMIT && level !== slowLevel;
     if (moved && (surfaceOccasion.due || (!shown && energy < firstEnergy))) {
       surfaceOccasion.do(() => tellSurface(MOVING_QUADS));

@@ -47,9 +47,8 @@ constexpr int kMostEvaluations = 150;
 /// Where they are not enough: what was measured and half as many again, because rounding differs between processors.
 using Exceptions = std::map<std::string, int>;
 
-/// Runs from the cage to level 3. Where level 2 stalls it may do so after so many evaluations.
-std::map<std::string, std::vector<LevelReport>> expect_convergence(const char* weights, const Exceptions& slow,
-                                                                   const Exceptions& stalled) {
+/// Runs from the cage to level 3.
+std::map<std::string, std::vector<LevelReport>> expect_convergence(const char* weights, const Exceptions& slow) {
   std::map<std::string, std::vector<LevelReport>> runs;
   for (const auto& [name, family] : frames()) {
     const std::string key = (family == FrameFamily::kHub ? "hub " : "flag ") + name;
@@ -58,12 +57,10 @@ std::map<std::string, std::vector<LevelReport>> expect_convergence(const char* w
     EXPECT_EQ(run.levels().size(), 4u);
     for (const LevelReport& level : run.levels()) {
       SCOPED_TRACE("level " + std::to_string(level.level));
-      if (level.level == 2 && stalled.count(key)) {
-        EXPECT_LE(level.evaluations, stalled.at(key));
-      } else {
-        EXPECT_EQ(name_of(level.stop), "converged");
-        EXPECT_LE(level.evaluations, slow.count(key) ? slow.at(key) : kMostEvaluations);
-      }
+      EXPECT_EQ(name_of(level.stop), "converged");
+      EXPECT_LE(level.evaluations, slow.count(key) ? slow.at(key) : kMostEvaluations);
+      const double error = std::abs(level.energy - level.energy_reported) / level.energy_reported;
+      EXPECT_LE(error, level.level == 0 ? 1e-2 : 1e-3) << "of the quadrature";
     }
     runs[key] = run.levels();
   }
@@ -71,10 +68,9 @@ std::map<std::string, std::vector<LevelReport>> expect_convergence(const char* w
 }
 
 TEST(FramesSlow, bending_of_every_level_converges_in_few_evaluations_and_of_the_last_in_no_more_than_before) {
-  const Exceptions slow{{"flag dodecahedron-frame", 300}, {"hub dodecahedron-frame", 180}};
-  // Where the surface makes use of the quadrature's error: the finer rule's energy is up to 0.5 % higher.
-  const Exceptions stalled{{"flag dodecahedron-frame", 820}};
-  for (const auto& [key, levels] : expect_convergence("bending=1", slow, stalled)) {
+  // The flag cage's level 2 needs a finer quadrature rule.
+  const Exceptions slow{{"flag dodecahedron-frame", 490}, {"hub dodecahedron-frame", 180}};
+  for (const auto& [key, levels] : expect_convergence("bending=1", slow)) {
     ASSERT_EQ(levels.size(), 4u);
     EXPECT_LE(levels[3].evaluations, 1.3 * levels[2].evaluations) << key;
   }
@@ -82,7 +78,7 @@ TEST(FramesSlow, bending_of_every_level_converges_in_few_evaluations_and_of_the_
 
 TEST(FramesSlow, mvs_cross_of_every_level_converges_in_few_evaluations) {
   const Exceptions slow{{"hub two-4", 180}, {"hub two-6", 220}};
-  expect_convergence("mvs_cross=1", slow, {});
+  expect_convergence("mvs_cross=1", slow);
 }
 
 TEST(FramesSlow, of_fat_and_of_thin_arms_end_in_the_same_mvs_cross_energy) {
@@ -118,6 +114,17 @@ TEST(FramesSlow, of_both_families_have_one_mvs_cross_energy_within_their_errors)
     EXPECT_LE(hub.error, 0.01 * hub.energy);
     EXPECT_LE(std::abs(flag.energy - hub.energy), flag.error + hub.error);
   }
+}
+
+TEST(FramesSlow, of_both_families_of_a_dodecahedron_have_one_bending_energy_within_their_errors) {
+  const LimitReport flag = finished(*generate_cage("dodecahedron-frame"), "bending=1", 3).limit();
+  const Cage cage = *generate_cage("dodecahedron-frame", {.family = FrameFamily::kHub});
+  const LimitReport hub = finished(cage, "bending=1", 4).limit();
+  EXPECT_EQ(name_of(flag.status), "converging");
+  EXPECT_EQ(name_of(hub.status), "converging");
+  EXPECT_LE(flag.error, 5e-4 * flag.energy);
+  EXPECT_LE(hub.error, 5e-5 * hub.energy);
+  EXPECT_LE(std::abs(flag.energy - hub.energy), flag.error + hub.error);
 }
 
 TEST(FramesSlow, have_no_mvs_energy_that_converges) {
