@@ -31,6 +31,9 @@ constexpr double kPreparingTolerance = 1e-3;
 /// Iterations between two looks at the quadrature's error, each at the cost of one or two evaluations.
 constexpr int kIterationsOfTrust = 100;
 
+/// What remains of the tolerance where a level has converged above the one before.
+constexpr double kStrictness = 1e-3;
+
 /// Largest first displacement of a control point, relative to the cage's extent.
 constexpr double kLargestStep = 0.1;
 
@@ -149,11 +152,26 @@ bool Level::step() {
     start();
     return false;
   }
-  if (!lbfgs_->step()) return false;
-  if (!metric_ || metric_->settled() || lbfgs_->stop() != StopReason::kConverged) return true;
-  lbfgs_->resume();
-  rebuild_metric();
-  return false;
+  return lbfgs_->step() && !goes_on();
+}
+
+/// Whether convergence is not to be believed yet: in a metric that can become better, or in a slow valley above where
+/// the level before has been.
+bool Level::goes_on() {
+  if (lbfgs_->stop() != StopReason::kConverged) return false;
+  const bool in_question = metric_ && !metric_->settled();
+  if (!in_question) {
+    if (strict_ || !above_the_level_before()) return false;
+    strict_ = true;
+  }
+  lbfgs_->resume(strict_ ? kStrictness * options_.tolerance : options_.tolerance);
+  if (metric_) rebuild_metric();
+  return true;
+}
+
+bool Level::above_the_level_before() const {
+  return evaluable() && lbfgs_->best_value() >
+                            options_.energy_before + kHarmlessError * std::max(options_.energy_before, kEnergyFloor);
 }
 
 void Level::rebuild_metric() {

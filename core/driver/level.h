@@ -27,6 +27,8 @@ struct LevelOptions {
   int max_iterations;
   double tolerance;
   MetricChoice metric;
+  /// Of the level before, whose surface this one can take on but for its caps: a minimum is not above it.
+  double energy_before = std::numeric_limits<double>::infinity();
   int quadrature = 0;  ///< steps by which the rules are finer than usual, see driver/rules.h
 };
 
@@ -76,6 +78,8 @@ class Level {
   void rebuild_metric();
   bool metric_is_stale() const;
   bool metric_is_in_vain() const;
+  bool goes_on();
+  bool above_the_level_before() const;
   bool evaluated() const { return lbfgs_ && lbfgs_->evaluations() > 0; }
 
   LevelOptions options_;
@@ -90,6 +94,7 @@ class Level {
   std::unique_ptr<Lbfgs> lbfgs_;
   int metric_iteration_ = 0, metrics_ = 0;
   std::optional<double> start_energy_;  // of the level's first surface by its first rule
+  bool strict_ = false;                 // whether the tolerance has been tightened
   bool cancelled_ = false;
 
   /// What was done with coarser rules.

@@ -46,7 +46,9 @@ struct Run::State {
   mutable std::optional<EnergyReport> energies;  // of the best surface, while it stays
 
   LevelOptions level_options() const {
-    return {options.cap, options.weights, options.max_iterations, options.tolerance, options.metric};
+    LevelOptions next{options.cap, options.weights, options.max_iterations, options.tolerance, options.metric};
+    if (!levels.empty()) next.energy_before = levels.back().energy_reported;
+    return next;
   }
 
   const EnergyReport& report_energies() const {

@@ -67,8 +67,9 @@ bool Lbfgs::step() {
   return ended();
 }
 
-void Lbfgs::resume() {
+void Lbfgs::resume(double tolerance) {
   assert(stop_ == StopReason::kConverged);
+  options_.tolerance = tolerance;
   stop_.reset();
   pairs_.clear();
   recent_values_.assign(1, value_);

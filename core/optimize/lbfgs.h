@@ -35,8 +35,8 @@ class Lbfgs {
   /// Evaluates the objective once. Returns whether the optimizer has ended; then further calls do nothing.
   bool step();
 
-  /// Goes on after convergence, with nothing remembered, as the metric has become better.
-  void resume();
+  /// Goes on after convergence, with nothing remembered, as the metric has become better or the tolerance smaller.
+  void resume(double tolerance);
 
   bool ended() const { return stop_.has_value(); }
   StopReason stop() const { return *stop_; }

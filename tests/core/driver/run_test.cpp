@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "cage/generate.h"
 
@@ -56,6 +57,17 @@ TEST(Run, takes_one_evaluation_or_less_per_unit_and_ends_level_by_level) {
   EXPECT_EQ(run.progress().total_evaluations, run.levels()[0].evaluations + run.levels()[1].evaluations);
   EXPECT_EQ(run.progress().phase, Phase::kDone);
   EXPECT_TRUE(run.step(5));
+}
+
+TEST(Run, goes_on_with_a_level_that_has_converged_above_the_one_before) {
+  RunOptions options = minimizing("bending=1", 0, 4);
+  options.tolerance = 1;  // so lax that levels would end with the caps that they begin with
+  const umbilic::Run run = finished(*generate_cage("cube"), options);
+  const std::vector<LevelReport>& levels = run.levels();
+  ASSERT_EQ(levels.size(), 5u);
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    EXPECT_LE(levels[i].energy_reported, (1 + 1.5e-4) * levels[i - 1].energy_reported) << "level " << i;
+  }
 }
 
 TEST(Run, gives_the_same_digits_whether_stepped_singly_or_in_bulk) {

@@ -99,6 +99,22 @@ TEST(Lbfgs, finds_the_minimum_of_rosenbrocks_valley) {
   EXPECT_LE(lbfgs.evaluations(), 80);
 }
 
+TEST(Lbfgs, resumes_to_a_smaller_tolerance) {
+  const Function f(quadratic);
+  const Identity identity;
+  LbfgsOptions options;
+  options.tolerance = 1e-1;
+  Lbfgs lbfgs(f, identity, Eigen::VectorXd::Zero(40), options);
+  run(lbfgs);
+  ASSERT_EQ(lbfgs.stop(), StopReason::kConverged);
+  const double before = lbfgs.best_value() - 1;
+  lbfgs.resume(1e-9);
+  EXPECT_FALSE(lbfgs.ended());
+  run(lbfgs);
+  EXPECT_EQ(lbfgs.stop(), StopReason::kConverged);
+  EXPECT_LT(lbfgs.best_value() - 1, 1e-4 * before);
+}
+
 TEST(Lbfgs, each_step_costs_one_evaluation) {
   int calls = 0;
   const Function f([&](const Eigen::VectorXd& x, Eigen::VectorXd& g) { return ++calls, rosenbrock(x, g); });
