@@ -54,6 +54,8 @@ class Level {
   /// Whether the mesh whose points are moved is the one that the surface is evaluated on.
   bool evaluable() const { return surface_.level() == start_.level; }
   int quadrature() const { return options_.quadrature; }
+  /// Whether it has seemed to converge above the level before, so that its convergence says little.
+  bool doubtful() const { return strict_; }
   const Surface& surface() const { return surface_; }
   /// Control points on the evaluated mesh of the best surface so far.
   Points best() const { return lbfgs_ ? unknowns_.control(lbfgs_->best()) : surface_.start(); }

@@ -98,10 +98,11 @@ struct Run::State {
     levels.push_back(level->report(report_energies()));
     const LevelReport& report = levels.back();
     if (report.evaluable) {
+      const bool minimized =
+          (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
       const double left = options.tolerance * std::max(report.energy_reported, kEnergyFloor);
       energies_of_levels.push_back({report.energy_reported, left + report_energies().quadrature_error,
-                                    report_energies().functionals[kBending],
-                                    report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff});
+                                    report_energies().functionals[kBending], minimized});
     }
     const bool last =
         cancelled || level->number() >= options.last_level || levels.back().stop == StopReason::kNotFinite;

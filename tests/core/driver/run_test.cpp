@@ -68,6 +68,7 @@ TEST(Run, goes_on_with_a_level_that_has_converged_above_the_one_before) {
   for (std::size_t i = 1; i < levels.size(); ++i) {
     EXPECT_LE(levels[i].energy_reported, (1 + 1.5e-4) * levels[i - 1].energy_reported) << "level " << i;
   }
+  EXPECT_EQ(run.limit().status, LimitStatus::kNotMinimized) << "what has seemed to converge once may do so again";
 }
 
 TEST(Run, gives_the_same_digits_whether_stepped_singly_or_in_bulk) {
