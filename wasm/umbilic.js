@@ -252,35 +252,14 @@ export class Minimizer {
   #level(index) {
     let stop = 0;
     const numbers = doublesFrom(11, (out) => (stop = core()._umbilic_minimizer_level(this.#alive, index, out)));
-    const [
-      level,
-      patches,
-      unknowns,
-      energy,
-      energyReported,
-      iterations,
-      evaluations,
-      seconds,
-      metrics,
-      evaluable,
-      quadrature,
-    ] = numbers;
+    const [level, patches, unknowns, energy, energyReported, ...rest] = numbers;
+    const [iterations, evaluations, seconds, metrics, evaluable, quadrature] = rest;
+    const metric = stringAt(core()._umbilic_minimizer_level_metric(this.#alive, index));
     return {
-      level,
-      patches,
-      unknowns,
-      energy,
-      energyReported,
-      iterations,
-      evaluations,
-      seconds,
+      ...{ level, patches, unknowns, energy, energyReported, iterations, evaluations, seconds, metrics, quadrature },
       stop: /** @type {StopReason} */ (stringAt(stop)),
-      metric: /** @type {LevelReport['metric']} */ (
-        stringAt(core()._umbilic_minimizer_level_metric(this.#alive, index))
-      ),
-      metrics,
+      metric: /** @type {LevelReport['metric']} */ (metric),
       evaluable: evaluable !== 0,
-      quadrature,
     };
   }
 
