@@ -2,6 +2,7 @@
 /**
  * @file What the README says of the catalog, all of it from its numbers: the paper's tables beside ours, and whether its claims hold.
  */
+import { compact, upperBound, whole, withError } from '../../../web/words/numbers.js';
 import { markdownTable } from '../bench/tables.js';
 
 /** @typedef {import('../bench/tables.js').Table} Table */
@@ -23,22 +24,25 @@ import { markdownTable } from '../bench/tables.js';
 /** @typedef {{shape: string, functional: string, thickness: number, energy: number, level: number, stop: string}} Start */
 /** @typedef {{shapes: Shape[], functionals: {name: string}[], entries: Entry[], starts: Start[]}} Catalog */
 
-/** Two digits of the error, and as many of the value. @param {number} value @param {number} error */
-function withError(value, error) {
-  const places = Math.min(12, Math.max(0, 1 - Math.floor(Math.log10(error))));
-  return `${value.toFixed(places)} ± ${error.toFixed(places)}`;
+/** With two digits of the error, as on the page. @param {number} energy @param {number} bar */
+function limitWords(energy, bar) {
+  const { value, error } = withError(energy, bar, 2);
+  return `${value} ± ${error}`;
 }
 
+/** @param {number} energy @param {number | null} bar none where it is an upper bound */
+const boundWords = (energy, bar) => (bar === null ? `≤ ${upperBound(energy)}` : limitWords(energy, bar));
+
 /** Four digits. @param {number} value */
-const short = (value) => (value >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(4))));
+const short = (value) => (value >= 1000 ? whole(value) : compact(value, 4));
 
 /** @param {Entry | undefined} entry */
 export function energyWords(entry) {
   if (!entry) return '';
-  if (entry.status === 'converged' && entry.error !== null) return withError(entry.energy, entry.error);
+  if (entry.status === 'converged' && entry.error !== null) return limitWords(entry.energy, entry.error);
   if (entry.status === 'zero_attained') return '0';
   if (entry.status === 'infimum_not_attained') return `→ ${short(entry.energy)}`;
-  return entry.status === 'none_found' ? 'none' : `≤ ${short(entry.energy)}`;
+  return entry.status === 'none_found' ? 'none' : boundWords(entry.energy, null);
 }
 
 /** @param {Catalog} catalog */
@@ -75,7 +79,15 @@ function tableOne(catalog) {
           ? (entry.exact?.toFixed(entry.exact > 150 ? 3 : 4) ?? '')
           : ((2 * entry.paper) / entry.energy).toFixed(3);
       return [
-        [genus, name, entry.group.name, energyWords(entry), entry.paper, (entry.energy / entry.paper).toFixed(4), last],
+        [
+          genus,
+          name,
+          entry.group.name,
+          energyWords(entry),
+          whole(entry.paper),
+          (entry.energy / entry.paper).toFixed(4),
+          last,
+        ],
       ];
     }),
   }));
@@ -105,10 +117,7 @@ function perJunction(catalog, arms) {
     rows: catalog.shapes.flatMap(({ name, junctions, arms: n }) => {
       const entry = n === arms && find(name, 'mvs_cross');
       if (!entry) return [];
-      const ours =
-        entry.error === null
-          ? `≤ ${short(entry.energy / junctions)}`
-          : withError(entry.energy / junctions, entry.error / junctions);
+      const ours = boundWords(entry.energy / junctions, entry.error && entry.error / junctions);
       return [[name, junctions, ours, entry.paper ? short(entry.paper / junctions) : '']];
     }),
   };
@@ -158,7 +167,7 @@ function families(catalog) {
     rows: catalog.entries.flatMap((entry) => {
       const other = entry.second_family;
       if (!other) return [];
-      const words = other.error === null ? `≤ ${short(other.energy)}` : withError(other.energy, other.error);
+      const words = boundWords(other.energy, other.error);
       const agrees = other.agrees === null ? '' : other.agrees ? 'yes' : 'no';
       return [
         [entry.shape, entry.functional, energyWords(entry), words, percent(other.energy / entry.energy - 1), agrees],

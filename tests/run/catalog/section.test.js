@@ -40,9 +40,11 @@ describe('the energy of an entry', () => {
     expect(words({ error: 0.123 })).toBe('1234.50 ± 0.12');
     expect(words({ error: 12 })).toBe('1235 ± 12');
     expect(words({ error: 0.0096 })).toBe('1234.5000 ± 0.0096');
+    expect(words({ error: 123 })).toBe('1230 ± 120');
   });
   test('says what else it is', () => {
     expect(words({ status: 'upper_bound', error: null })).toBe('≤ 1235');
+    expect(words({ status: 'upper_bound', error: null, energy: 834.13 })).toBe('≤ 834.2');
     expect(words({ status: 'infimum_not_attained', error: null, energy: 779.27 })).toBe('→ 779.3');
     expect(words({ status: 'zero_attained', error: null, energy: 0 })).toBe('0');
   });
