@@ -9,7 +9,11 @@ import { digits, reached } from './tables.js';
 /** @typedef {{ seconds: number, secondsToTenthPercent: number, energy: number, evaluations: number[], metrics: string[], stops: string[] }} Timed */
 /** @typedef {{ shape: string, functional: string, group: string, patches: number, native: Timed, wasm: Timed }} ShapeRow */
 
-const shapes = [...['two-3', 'two-4', 'two-6', 'tetrahedron-frame', 'cube-frame', 'octahedron-frame', 'torus', 'cube']];
+/** All frames of the catalog with at most six arms per junction, and what has no junctions. */
+const shapes = [
+  ...['two-3', 'two-4', 'two-6', 'tetrahedron-frame', 'cube-frame', 'octahedron-frame', 'hexagonal-prism-frame'],
+  ...['truncated-tetrahedron-frame', 'dodecahedron-frame', 'torus', 'cube'],
+];
 const functionals = ['bending', 'mvs_cross'];
 
 /** @param {RunRow} run @returns {Timed} */
