@@ -52,13 +52,12 @@ void HessianMetric::end_factoring() {
     return;
   }
   fall_ = rose_ ? kFactor : std::min(fall_ * kFactor, kLargestFall);
-  if (factor_.succeeded()) solved_ = factor_.solve(size_gradient_);
+  if (factor_.succeeded()) fixed_size_.set(size_gradient_, factor_.solve(size_gradient_));
 }
 
 Eigen::VectorXd HessianMetric::solve(const Eigen::VectorXd& gradient) const {
   if (!factor_.succeeded()) return gradient;  // a surface too irregular for any metric: the identity
-  Eigen::VectorXd result = factor_.solve(gradient);
-  return result - (size_gradient_.dot(result) / size_gradient_.dot(solved_)) * solved_;
+  return fixed_size_.project(factor_.solve(gradient));
 }
 
 }  // namespace umbilic

@@ -3,6 +3,7 @@
 /// The functional's Hessian, made positive definite by a multiple of the Sobolev product, as the optimizer's metric.
 #pragma once
 
+#include "optimize/fixed_size.h"
 #include "optimize/hessian_assembly.h"
 #include "optimize/sparse_cholesky.h"
 #include "optimize/surface_metric.h"
@@ -45,7 +46,8 @@ class HessianMetric : public SurfaceMetric {
   SparseCholesky factor_{SparseCholesky::Pivots::kPositive};
   bool assembled_ = false, factoring_ = false, ready_ = false, settled_ = false, rose_ = false;
   double mu_, fall_ = 1;
-  Eigen::VectorXd size_gradient_, solved_;  ///< a, and (H + mu S)^-1 a
+  Eigen::VectorXd size_gradient_;  ///< a
+  FixedSize fixed_size_;
 };
 
 }  // namespace umbilic

@@ -48,7 +48,12 @@ bool SobolevMetric::advance() {
       [[fallthrough]];
     }
     case Stage::kFactor:
-      if (factor_.advance()) stage_ = Stage::kReady;
+      if (!factor_.advance()) break;
+      if (factor_.succeeded()) {
+        const Eigen::VectorXd size = unknowns_.pull_back(control_.rowwise() - control_.colwise().mean());
+        fixed_size_.set(size, solve_freely(size));
+      }
+      stage_ = Stage::kReady;
       break;
     case Stage::kReady: break;
   }
@@ -57,6 +62,10 @@ bool SobolevMetric::advance() {
 
 Eigen::VectorXd SobolevMetric::solve(const Eigen::VectorXd& gradient) const {
   if (!factor_.succeeded()) return gradient;  // a surface too irregular for its own metric: the identity
+  return fixed_size_.project(solve_freely(gradient));
+}
+
+Eigen::VectorXd SobolevMetric::solve_freely(const Eigen::VectorXd& gradient) const {
   if (!scalar_) return factor_.solve(gradient);
   const Eigen::Map<const Points> rows(gradient.data(), gradient.size() / 3, 3);
   Eigen::VectorXd result(gradient.size());

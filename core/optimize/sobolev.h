@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "optimize/fixed_size.h"
 #include "optimize/patch_assembly.h"
 #include "optimize/sobolev_form.h"
 #include "optimize/sparse_cholesky.h"
@@ -14,7 +15,7 @@
 namespace umbilic {
 
 /// Assembles the matrix, some patches at a time, and factors it. Where every coordinate is free one scalar matrix
-/// serves all three coordinates.
+/// serves all three coordinates. Directions keep the moment of the control points about their centroid.
 class SobolevMetric : public SurfaceMetric {
  public:
   /// `energy` and `unknowns` outlive the metric.
@@ -28,6 +29,8 @@ class SobolevMetric : public SurfaceMetric {
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
 
  private:
+  Eigen::VectorXd solve_freely(const Eigen::VectorXd& gradient) const;
+
   enum class Stage { kArea, kPatches, kSum, kFactor, kReady };
 
   const SurfaceEnergy& energy_;
@@ -41,6 +44,7 @@ class SobolevMetric : public SurfaceMetric {
   Points control_;
   PatchCursor cursor_;
   PatchSums sums_;
+  FixedSize fixed_size_;
 };
 
 }  // namespace umbilic

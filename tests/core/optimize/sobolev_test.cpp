@@ -75,9 +75,23 @@ TEST_P(SobolevMetricOfEveryCap, scales_with_the_inverse_square_of_the_size_and_t
     const Eigen::VectorXd scaled = solve(layout, only(functional), 3 * f.control, right);
     EXPECT_LT((scaled - 9 * expected).norm(), 1e-8 * scaled.norm());
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()).toRotationMatrix();
-    const Eigen::VectorXd turned = solve(layout, only(functional), f.control * turn.transpose(), right);
-    EXPECT_LT((turned - expected).norm(), 1e-8 * expected.norm());
+    const auto turned = [&](const Eigen::VectorXd& v) {
+      const Points rows = Eigen::Map<const Points>(v.data(), v.size() / 3, 3) * turn.transpose();
+      return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(rows.data(), rows.size()));
+    };
+    const Eigen::VectorXd answer = solve(layout, only(functional), f.control * turn.transpose(), turned(right));
+    EXPECT_LT((answer - turned(expected)).norm(), 1e-8 * expected.norm());
   }
+}
+
+/// Euler's theorem: gradients of energies of degree 0 have no part along the position, and neither has the answer.
+TEST_P(SobolevMetricOfEveryCap, leaves_the_size_alone) {
+  const Refined f = genus_two();
+  const PatchLayout layout(f.mesh, GetParam());
+  const Points position = f.control.rowwise() - f.control.colwise().mean();
+  const Eigen::Map<const Eigen::VectorXd> x(position.data(), position.size());
+  const Eigen::VectorXd answer = solve(layout, only(kMvsCross), f.control, random_vector(int(f.control.size()), 4));
+  EXPECT_LT(std::abs(x.dot(answer)), 1e-10 * x.norm() * answer.norm());
 }
 
 INSTANTIATE_TEST_SUITE_P(Caps, SobolevMetricOfEveryCap, testing::ValuesIn(kAllCaps));
