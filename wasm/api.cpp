@@ -311,9 +311,10 @@ void umbilic_certificate_destroy(umbilic_certificate* certificate) { delete cert
 umbilic_status umbilic_certificate_step(umbilic_certificate* certificate, int32_t units, int32_t* done) {
   return attempt(
       [&] {
-        bool ready = false;
-        for (int32_t i = 0; i < units && !ready; ++i) ready = certificate->certificate.step();
-        return Result<bool>(ready);
+        bool ended = false;
+        for (int32_t i = 0; i < units && !ended; ++i) ended = certificate->certificate.step();
+        if (ended && !certificate->certificate.report()) return Result<bool>(certificate->certificate.report().error());
+        return Result<bool>(ended);
       },
       [&](bool ready) { *done = ready; });
 }
@@ -323,7 +324,7 @@ double umbilic_certificate_progress(const umbilic_certificate* certificate) {
 }
 
 void umbilic_certificate_report(const umbilic_certificate* certificate, double report[5]) {
-  const CertificateReport& r = certificate->certificate.report();
+  const CertificateReport r = certificate->certificate.report().value();
   const double values[5] = {double(r.level), double(r.unknowns), double(r.gauge), r.tau, double(r.negative)};
   std::copy_n(values, 5, report);
 }

@@ -136,7 +136,7 @@ umbilic_status umbilic_minimizer_certify(const umbilic_minimizer* minimizer, umb
 void umbilic_certificate_destroy(umbilic_certificate* certificate);
 
 /** Does up to `units` units of about the cost of an energy evaluation, the last one far more; 1 when the report is
- * ready. Running out of memory ends in a failure. */
+ * ready. Fails where rounding hides the signs of the eigenvalues, and when memory runs out. */
 umbilic_status umbilic_certificate_step(umbilic_certificate* certificate, int32_t units, int32_t* done);
 
 /** In [0, 1]. */

@@ -54,7 +54,7 @@ class Computation {
     while (!certificate->step()) {
       if (!watch(run_)) return false;
     }
-    certificate_ = certificate->report();
+    if (const Result<CertificateReport> report = certificate->report()) certificate_ = *report;
     return true;
   }
 

@@ -98,11 +98,15 @@ std::string table(const CageFile& input, const OptimizeArguments& arguments, con
 }
 
 /// Nothing when the user interrupts.
-std::optional<CertificateReport> certify(Certificate certificate, const InterruptWatch& watch) {
-  while (!certificate.step()) {
-    if (watch.interrupted()) return std::nullopt;
+Result<std::optional<CertificateReport>> certify(const Run& run, const InterruptWatch& watch) {
+  Result<Certificate> certificate = run.certify();
+  if (!certificate) return certificate.error();
+  while (!certificate->step()) {
+    if (watch.interrupted()) return std::optional<CertificateReport>();
   }
-  return certificate.report();
+  const Result<CertificateReport> report = certificate->report();
+  if (!report) return report.error();
+  return std::optional(*report);
 }
 
 /// Writes everything that can be written, whatever fails.
@@ -141,9 +145,9 @@ int run(const OptimizeArguments& arguments) {
   Ending ending{*run, std::nullopt};
   int exit_code = kEnded;
   if (arguments.certify && !watch.interrupted()) {
-    Result<Certificate> certificate = run->certify();
+    const Result<std::optional<CertificateReport>> certificate = certify(*run, watch);
     if (certificate) {
-      ending.certificate = certify(std::move(certificate).value(), watch);
+      ending.certificate = *certificate;
     } else {
       exit_code = fail(kBadInput, certificate.error().message);
     }

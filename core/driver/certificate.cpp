@@ -7,6 +7,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <random>
 
 #include "driver/rules.h"
 #include "driver/surface.h"
@@ -48,6 +52,12 @@ int negative_eigenvalues(const Eigen::MatrixXd& symmetric) {
 /// Assembling, as a part of the whole; the rest is factoring.
 constexpr double kAssemblyShare = 0.5;
 
+constexpr double kTauFactor = 10;
+
+/// |b - A x| / |b| of a factored A and random b: the errors of the factorization relative to the smallest eigenvalues
+/// of A, those of tau S along gauge directions. Below one they change no sign that tau leaves in no doubt.
+constexpr double kLargestResidual = 0.25;
+
 }  // namespace
 
 struct Certificate::State {
@@ -56,7 +66,9 @@ struct Certificate::State {
   Unknowns unknowns;
   HessianAssembly assembly;
   SparseCholesky factor{SparseCholesky::Pivots::kNonzero};
-  bool assembled = false, ready = false;
+  bool assembled = false, ended = false;
+  double furthest = 0;  // of the progress
+  std::optional<Error> failure;
   CertificateReport report;
 
   State(RefinedCage start, CapKind cap, const Weights& weights, int quadrature)
@@ -71,6 +83,37 @@ struct Certificate::State {
     report.gauge = surface.energy().third_order() ? 7 : 10;
   }
 
+  double progress() const {
+    if (ended) return 1;
+    if (!assembled) return kAssemblyShare * assembly.progress();
+    return kAssemblyShare + (1 - kAssemblyShare) * factor.progress();
+  }
+
+  /// Counts, or tries a larger tau.
+  void judge() {
+    const bool factored = factor.succeeded();
+    if (factored && residual() <= kLargestResidual) return count();
+    if (report.tau * kTauFactor <= kLargestTau * (1 + 1e-9)) {
+      report.tau *= kTauFactor;
+      return factor.begin(assembly.combine(1, report.tau));
+    }
+    failure =
+        Error{factored ? fmt::format("no certificate: rounding errors hide the signs of the Hessian's eigenvalues, "
+                                     "even with tau {:g}",
+                                     report.tau)
+                       : "no certificate: the Hessian of this surface cannot be factored"};
+    ended = true;
+  }
+
+  double residual() const {
+    std::mt19937 random(1);
+    Eigen::VectorXd right(unknowns.count());
+    for (double& value : right) value = 2.0 * random() / std::mt19937::max() - 1;
+    const HessianAssembly::Matrix lower = assembly.combine(1, report.tau);
+    const Eigen::VectorXd left = lower.selfadjointView<Eigen::Lower>() * factor.solve(right);
+    return (right - left).norm() / right.norm();
+  }
+
   /// neg(K + tau S) on the complement of the gauge directions, from [M U G; U^T -C^-1 0; G^T 0 0] with K + tau S = M +
   /// U C U^T.
   void count() {
@@ -83,7 +126,7 @@ struct Certificate::State {
     if (rank == 2) schur.topLeftCorner<2, 2>() -= Eigen::Matrix2d{{0, 1}, {1, 0}};
     negative += negative_eigenvalues((schur + schur.transpose()) / 2);
     report.negative = negative - static_cast<int>(gauge.cols()) - (rank == 2 ? 1 : 0);
-    ready = true;
+    ended = true;
   }
 };
 
@@ -109,18 +152,19 @@ bool Certificate::step() {
   if (!state_->assembled) {
     state_->assembled = state_->assembly.advance();
     if (state_->assembled) state_->factor.begin(state_->assembly.combine(1, state_->report.tau));
-  } else if (!state_->ready && state_->factor.advance()) {
-    state_->count();
+  } else if (!state_->ended && state_->factor.advance()) {
+    state_->judge();
   }
-  return state_->ready;
+  state_->furthest = std::max(state_->furthest, state_->progress());
+  return state_->ended;
 }
 
-double Certificate::progress() const {
-  if (state_->ready) return 1;
-  if (!state_->assembled) return kAssemblyShare * state_->assembly.progress();
-  return kAssemblyShare + (1 - kAssemblyShare) * state_->factor.progress();
-}
+double Certificate::progress() const { return state_->furthest; }
 
-const CertificateReport& Certificate::report() const { return state_->report; }
+Result<CertificateReport> Certificate::report() const {
+  assert(state_->ended);
+  if (state_->failure) return *state_->failure;
+  return state_->report;
+}
 
 }  // namespace umbilic

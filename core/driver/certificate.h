@@ -8,6 +8,9 @@
 /// conformal maps. On the complement of G they are neg(K + tau S) + pos(G^T (K + tau S)^-1 G) - dim G. The area
 /// product's rank-two term is bordered in the same way.
 ///
+/// Rounding errors of the factorization are measured: where they are no smaller than tau S on the stiffest of meshes,
+/// tau rises tenfold, up to kLargestTau.
+///
 /// The surface is the discrete one: on coarse levels directions that only the discretization opens count as well (the
 /// Clifford torus has 5 at level 0 and none from level 2 on).
 #pragma once
@@ -24,6 +27,7 @@ namespace umbilic {
 /// Eigenvalues of the Hessian, relative to the Sobolev product, that count as zero: discrete surfaces have many
 /// directions, along their parametrization, that change the energy very little.
 inline constexpr double kCertificateTau = 1e-3;
+inline constexpr double kLargestTau = 1e-1;
 
 /// So that it takes a minute, not an hour.
 inline constexpr int kMaxCertifiedFaces = 10'000;
@@ -40,12 +44,12 @@ class Certificate {
   Certificate& operator=(Certificate&&) noexcept;
   ~Certificate();
 
-  /// Does one unit of work, of about the cost of an energy evaluation; returns whether the report is ready.
+  /// Does one unit of work, of about the cost of an energy evaluation; returns whether it has ended.
   bool step();
   /// In [0, 1].
   double progress() const;
-  /// `step` has returned true.
-  const CertificateReport& report() const;
+  /// Once `step` has returned true. The error says why the signs of the eigenvalues cannot be told.
+  Result<CertificateReport> report() const;
 
  private:
   struct State;

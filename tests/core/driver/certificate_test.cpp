@@ -7,6 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+#include <cmath>
+#include <limits>
 
 #include "cage/generate.h"
 #include "driver/rules.h"
@@ -28,7 +30,9 @@ CertificateReport finished(Certificate certificate) {
   }
   EXPECT_EQ(certificate.progress(), 1);
   EXPECT_TRUE(certificate.step());
-  return certificate.report();
+  const Result<CertificateReport> report = certificate.report();
+  EXPECT_TRUE(report) << report.error().message;
+  return report ? *report : CertificateReport();
 }
 
 /// Directions along which energies do not change, by what they do to points.
@@ -108,6 +112,37 @@ TEST(Certificate, does_not_depend_on_place_and_size_nor_on_the_symmetry_that_a_s
                           b = finished(*Certificate::create(free, CapKind::kSmooth, bending));
   EXPECT_EQ(a.negative, b.negative);
   EXPECT_EQ(a.unknowns, b.unknowns);
+}
+
+/// A sphere's cage whose patches shrink towards one pole by a factor of e^(2 kCrowding).
+RefinedCage crowded(double crowding) {
+  RefinedCage cage = *refine_to_evaluable(cube(), 2, false);
+  for (Eigen::Index v = 0; v < cage.control.rows(); ++v) {
+    cage.control.row(v) *= std::exp(crowding * cage.control(v, 2));
+  }
+  return cage;
+}
+
+TEST(Certificate, raises_tau_where_rounding_errors_would_hide_the_signs) {
+  const Weights variation{0, 0, 0, 1, 0, 0};
+  EXPECT_EQ(finished(*Certificate::create(crowded(1), CapKind::kSmooth, variation)).tau, kCertificateTau);
+  EXPECT_GT(finished(*Certificate::create(crowded(4.4), CapKind::kSmooth, variation)).tau, 5 * kCertificateTau);
+}
+
+TEST(Certificate, is_refused_in_the_end_where_the_signs_cannot_be_told) {
+  const auto refusal = [](RefinedCage cage) {
+    Certificate certificate = *Certificate::create(cage, CapKind::kSmooth, {0, 0, 0, 1, 0, 0});
+    while (!certificate.step()) {
+    }
+    EXPECT_EQ(certificate.progress(), 1);
+    EXPECT_FALSE(certificate.report());
+    return certificate.report() ? "" : certificate.report().error().message;
+  };
+  EXPECT_EQ(refusal(crowded(20)),
+            "no certificate: rounding errors hide the signs of the Hessian's eigenvalues, even with tau 0.1");
+  RefinedCage broken = crowded(0);
+  broken.control(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(refusal(broken), "no certificate: the Hessian of this surface cannot be factored");
 }
 
 TEST(Certificate, is_refused_for_flat_caps_and_for_large_meshes) {

@@ -128,8 +128,8 @@ TEST(Run, certifies_its_best_surface_at_any_time) {
     Certificate certificate = *run.certify();
     while (!certificate.step()) {
     }
-    EXPECT_EQ(certificate.report().unknowns, run.control_mesh().vertices.size());
-    return certificate.report().negative;
+    EXPECT_EQ(certificate.report()->unknowns, run.control_mesh().vertices.size());
+    return certificate.report()->negative;
   };
   const int before = negative();
   run.step(10);
