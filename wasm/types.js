@@ -60,7 +60,7 @@
  * @typedef {{name: string, order: number}} Group
  */
 
-/** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'} LimitStatus */
+/** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'|'not_whole'} LimitStatus */
 
 /**
  * What the levels say about the limit of their energies. Unless they converge, `energy` is the last level's and `error`

@@ -72,6 +72,7 @@ Result<Run> create_run(const CatalogShape& shape, const EntrySettings& settings,
 std::string reason_of(const LimitReport& limit, const std::vector<LevelReport>& levels) {
   switch (limit.status) {
     case LimitStatus::kConverging: return "";
+    case LimitStatus::kNotWhole: return "curvature hides between the samples of the last level";
     case LimitStatus::kTooFewLevels: return "three levels are needed to tell a limit";
     case LimitStatus::kNotMinimized:
       for (const LevelReport& level : levels) {
@@ -95,6 +96,9 @@ void judge(Entry& entry) {
   if (!std::isfinite(last)) {
     entry.status = EntryStatus::kNoneFound;
     entry.reason = "no surface of finite energy was found";
+  } else if (entry.limit.status == LimitStatus::kNotWhole) {
+    entry.status = EntryStatus::kNoneFound;
+    entry.reason = reason_of(entry.limit, entry.levels);
   } else if (entry.exact && entry.exact->energy == 0) {
     entry.status = EntryStatus::kZeroAttained;
     entry.energy = 0;

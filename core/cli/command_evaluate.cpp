@@ -40,7 +40,8 @@ int run(const EvaluateArguments& arguments) {
                                           : input_line(*input) +
                                                 fmt::format("level {}, {} patches, cap {}\n", evaluation->level,
                                                             evaluation->patches, name_of(arguments.cap)) +
-                                                energy_table(evaluation->energies, "bending");
+                                                energy_table(evaluation->energies, "bending") +
+                                                gauss_bonnet_line(evaluation->energies);
   return print(text) ? kEnded : kCannotWrite;
 }
 

@@ -94,7 +94,8 @@ std::string table(const CageFile& input, const OptimizeArguments& arguments, con
                      group_words(run.group())) +
          level_table(run.levels()) + limit_line(run.limit()) +
          (ending.certificate ? certificate_line(*ending.certificate, run.group()) : "") +
-         "energies of the last level\n" + energy_table(run.energies(), arguments.objective.words());
+         "energies of the last level\n" + energy_table(run.energies(), arguments.objective.words()) +
+         gauss_bonnet_line(run.energies());
 }
 
 /// Nothing when the user interrupts.

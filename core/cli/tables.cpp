@@ -54,6 +54,13 @@ std::string energy_table(const EnergyReport& energies, const std::string& object
   return text;
 }
 
+std::string gauss_bonnet_line(const EnergyReport& energies) {
+  return energies.whole
+             ? ""
+             : "warning: the Gaussian curvature does not add up to 2 pi times the Euler characteristic: some "
+               "hides in folds or necks,\nand these energies are not the surface's\n";
+}
+
 std::string level_table(const std::vector<LevelReport>& levels) {
   std::string text = fmt::format("  {:>5} {:>8} {:>9} {:>16} {:>10} {:>11} {:>8}  {:<8}  {}\n", "level", "patches",
                                  "unknowns", "energy", "iterations", "evaluations", "seconds", "metric", "stop");
@@ -81,6 +88,7 @@ std::string limit_line(const LimitReport& limit) {
     case LimitStatus::kNotMinimized: return "not extrapolated: one of the last three levels did not converge\n";
     case LimitStatus::kNotConverging:
       return fmt::format("not extrapolated: {:.10g} is an upper bound, the levels do not converge\n", limit.energy);
+    case LimitStatus::kNotWhole: return "not extrapolated: the last level's energy is not the surface's\n";
   }
   return "";
 }

@@ -26,6 +26,7 @@ bool settles(const LevelEnergy* levels) {
 LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order) {
   if (levels.empty()) return no_limit(LimitStatus::kTooFewLevels, kNaN, kNaN);
   const double last = levels.back().energy;
+  if (!levels.back().whole) return no_limit(LimitStatus::kNotWhole, last, kNaN);
   if (levels.size() < 3) return no_limit(LimitStatus::kTooFewLevels, last, kNaN);
   const LevelEnergy* three = &levels[levels.size() - 3];
   const bool minimized = std::all_of(three, three + 3, [](const LevelEnergy& l) { return l.minimized; });

@@ -20,6 +20,7 @@ struct LevelEnergy {
   double uncertainty = 0;  ///< of the minimization and the quadrature
   double bending = 0;      ///< of the same surface
   bool minimized = true;
+  bool whole = true;  ///< as EnergyReport has it
 };
 
 /// Least observed order at which three levels are believed to be in their asymptotic range.

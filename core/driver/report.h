@@ -21,6 +21,7 @@ struct EnergyReport {
   /// |objective by the reporting rule - objective by the minimizing rule|, of the run's functional (of bending, where
   /// there is none).
   double quadrature_error = 0;
+  bool whole = true;  ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
 };
 
 struct LevelReport {
@@ -51,15 +52,17 @@ enum class LimitStatus {
   kTooFewLevels,   ///< fewer than three evaluable levels
   kNotMinimized,   ///< one of the last three levels did not converge
   kNotConverging,  ///< the last three levels are in no asymptotic range: the last energy is an upper bound
+  kNotWhole,       ///< curvature hides between the samples of the last level: its energy is not the surface's
 };
 
-/// "converging", "too_few_levels", "not_minimized", "not_converging".
+/// "converging", "too_few_levels", "not_minimized", "not_converging", "not_whole".
 constexpr std::string_view name_of(LimitStatus status) {
   switch (status) {
     case LimitStatus::kConverging: return "converging";
     case LimitStatus::kTooFewLevels: return "too_few_levels";
     case LimitStatus::kNotMinimized: return "not_minimized";
     case LimitStatus::kNotConverging: return "not_converging";
+    case LimitStatus::kNotWhole: return "not_whole";
   }
   return "";
 }

@@ -102,7 +102,7 @@ struct Run::State {
           (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
       const double left = options.tolerance * std::max(report.energy_reported, kEnergyFloor);
       energies_of_levels.push_back({report.energy_reported, left + report_energies().quadrature_error,
-                                    report_energies().functionals[kBending], minimized});
+                                    report_energies().functionals[kBending], minimized, report_energies().whole});
     }
     const bool last =
         cancelled || level->number() >= options.last_level || levels.back().stop == StopReason::kNotFinite;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "driver/gauss_bonnet.h"
 #include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
 
@@ -89,7 +90,8 @@ const SurfaceEnergy& Surface::energy() const {
 EnergyReport Surface::report(const Points& control) const {
   if (!reporting_jets_) reporting_jets_ = std::make_unique<JetEvaluator>(layout_, reporting_rule(layout_.cap()));
   const SurfaceIntegrals integrals = surface_integrals(*reporting_jets_, control);
-  EnergyReport report{integrals.functionals, integrals.area, integrals.gaussian, 0};
+  EnergyReport report{integrals.functionals, integrals.area, integrals.gaussian};
+  report.whole = gauss_bonnet_defect(report.gaussian, mesh().euler_characteristic()) <= kLargestDefect;
   if (layout_.cap() == CapKind::kNone && !layout_.caps().empty()) {
     for (int i = 0; i < kFunctionalCount; ++i) {
       if (is_third_order(i)) report.functionals[i] = std::numeric_limits<double>::quiet_NaN();

@@ -25,7 +25,8 @@ class SurfaceObjective : public Objective {
  private:
   const SurfaceEnergy& energy_;
   const Unknowns& unknowns_;
-  double start_energy_, total_curvature_, largest_defect_;
+  int euler_characteristic_;
+  double start_energy_, largest_defect_;
   mutable Points control_, gradient_;
 };
 

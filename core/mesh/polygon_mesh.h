@@ -23,6 +23,7 @@ class PolygonMesh {
   int face_count() const { return static_cast<int>(first_.size()) - 1; }
   int halfedge_count() const { return static_cast<int>(origin_.size()); }
   int edge_count() const { return halfedge_count() / 2; }
+  int euler_characteristic() const { return vertex_count() - edge_count() + face_count(); }
 
   int face_size(int f) const { return first_[f + 1] - first_[f]; }
   int halfedge(int f, int corner) const { return first_[f] + corner; }

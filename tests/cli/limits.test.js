@@ -97,6 +97,22 @@ describe('the limit', () => {
   });
 });
 
+describe('a surface that folds flat', () => {
+  // A square from both sides: the curvature of its rim is a fold that no sample sees.
+  const square = [-1, 1].flatMap((x) => [-1, 1].map((y) => `v ${x} ${y} 0`)).join('\n');
+  const faces = ['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'].map((f) => `f ${f}`).join('\n');
+  const input = `${square}\n${square}\n${faces}\n`;
+  const warning = 'warning: the Gaussian curvature does not add up to 2 pi times the Euler characteristic';
+
+  test('has energies that are not believed', () => {
+    expect(umbilic(['evaluate', '-'], { input }).out).toContain(warning);
+    const { out } = umbilic('optimize - --functional bending --levels 0..2 -q'.split(' '), { input });
+    expect(out).toContain("\nnot extrapolated: the last level's energy is not the surface's\n");
+    expect(out).toContain(warning);
+    expect(outputOf(['evaluate', 'frame.obj'], scratch)).not.toContain('warning');
+  });
+});
+
 describe('--certify', () => {
   test('finds a minimum', () => {
     const line = 'frame.obj --functional bending --levels 0..2 --certify';

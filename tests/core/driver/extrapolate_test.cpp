@@ -94,6 +94,14 @@ TEST(Extrapolate, refuses_fewer_than_three_levels) {
   EXPECT_TRUE(std::isnan(extrapolate({}, true).energy));
 }
 
+TEST(Extrapolate, refuses_energies_that_are_not_the_surfaces_however_few_there_are) {
+  for (int count = 1; count < 4; ++count) {
+    auto levels = sequence(1, 1, 2, count);
+    levels.back().whole = false;
+    expect_refused(levels, LimitStatus::kNotWhole);
+  }
+}
+
 TEST(Extrapolate, refuses_levels_that_did_not_converge_whatever_their_energies) {
   for (int i = 0; i < 3; ++i) {
     auto levels = sequence(100, 1, 2);
