@@ -47,10 +47,10 @@ const IdentityMetric kIdentityMetric;
 
 /// What is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost grows faster with
 /// the unknowns: without symmetry, where there are more patches for each of them, and sooner for functionals that
-/// converge well in any metric.
+/// converge well in any metric: those of second order need it only with symmetry.
 MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
-  const int second_order_most = surface.symmetry().order > 1 ? 2000 : 100;
+  const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
   const int most = third_order(options.weights) ? 8000 : second_order_most;
   return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
 }
@@ -115,7 +115,7 @@ void Level::make_metric() {
 }
 
 bool Level::metric_is_stale() const {
-  if (!metric_ || !lbfgs_->between_iterations()) return false;
+  if (!metric_ || !lbfgs_->between_iterations() || lbfgs_->has_nearly_converged()) return false;
   const int lifetime = metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
   return lbfgs_->iterations() - metric_iteration_ >= lifetime;
 }
@@ -165,7 +165,12 @@ bool Level::goes_on() {
     strict_ = true;
   }
   lbfgs_->resume(strict_ ? kStrictness * options_.tolerance : options_.tolerance);
-  if (metric_) rebuild_metric();
+  if (in_question) {
+    metric_->settle();
+    building_ = true;
+  } else if (metric_) {
+    rebuild_metric();
+  }
   return true;
 }
 
