@@ -115,7 +115,8 @@ void Level::make_metric() {
 }
 
 bool Level::metric_is_stale() const {
-  if (!metric_ || !lbfgs_->between_iterations() || lbfgs_->has_nearly_converged()) return false;
+  if (!metric_ || !lbfgs_->between_iterations() || (last_hessian_serves() && lbfgs_->has_nearly_converged()))
+    return false;
   const int lifetime = metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
   return lbfgs_->iterations() - metric_iteration_ >= lifetime;
 }
@@ -165,7 +166,7 @@ bool Level::goes_on() {
     strict_ = true;
   }
   lbfgs_->resume(strict_ ? kStrictness * options_.tolerance : options_.tolerance);
-  if (in_question) {
+  if (in_question && last_hessian_serves()) {
     metric_->settle();
     building_ = true;
   } else if (metric_) {
@@ -173,6 +174,10 @@ bool Level::goes_on() {
   }
   return true;
 }
+
+/// Whether the Hessian of some iterations ago still tells where a level converges: that of second order does. Where levels
+/// of third order end can depend on each digit of their way, and there is little to gain.
+bool Level::last_hessian_serves() const { return !third_order(options_.weights); }
 
 bool Level::above_the_level_before() const {
   return evaluable() && lbfgs_->best_value() >
