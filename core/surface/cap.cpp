@@ -150,7 +150,7 @@ void CapSector::build_fit() {
       const auto [u, v, area] = samples[s];
       const Derivatives b = blend(cell, u, v);
       const double weight = std::sqrt(area * (b[1] * b[1] + b[2] * b[2]));
-      const Eigen::RowVectorXd here = net_.face_values(cell, u, v);
+      const Eigen::RowVectorXd here = net_.face_basis(cell, u, v).row(0);
       const Eigen::RowVector2d xy = here.lazyProduct(characteristic_[cell]);
       const auto column = static_cast<Eigen::Index>(s);
       surface.row(column) = weight * here;

@@ -104,16 +104,10 @@ void RingNet::build_refinements() {
   }
 }
 
-namespace {
-
-/// Where a point of a face lies after so many steps that it is on the regular cell 1, 2 or 3.
-struct RegularPlace {
-  int steps = 0, cell;
-  double u, v;
-
-  RegularPlace(int face, double u_of_face, double v_of_face) : cell(face), u(u_of_face), v(v_of_face) {
-    assert(u >= 0 && v >= 0 && std::max(u, v) <= 1 && (cell > 0 || std::max(u, v) > 0));
-    if (cell > 0) return;
+DerivativeRows RingNet::face_basis(int cell, double u, double v) const {
+  assert(u >= 0 && v >= 0 && std::max(u, v) <= 1 && (cell > 0 || std::max(u, v) > 0));
+  int steps = 0;
+  if (cell == 0) {
     for (; std::max(u, v) <= 1; ++steps) {
       u *= 2;
       v *= 2;
@@ -122,28 +116,6 @@ struct RegularPlace {
     u -= cell % 2;
     v -= cell / 2;
   }
-};
-
-}  // namespace
-
-Eigen::RowVectorXd RingNet::face_values(int face, double u_of_face, double v_of_face) const {
-  const auto [steps, cell, u, v] = RegularPlace(face, u_of_face, v_of_face);
-  const Eigen::RowVector4d along_u = cubic_bspline(u).row(0), along_v = cubic_bspline(v).row(0);
-  if (steps == 0) {
-    Eigen::RowVectorXd values(16);
-    for (int i = 0; i < 16; ++i) values[grids_[cell][i]] = along_u[i % 4] * along_v[i / 4];
-    return values;
-  }
-  const int kept = std::min(steps, kKeptRefinements);
-  const Rows& points = refined_[kept - 1][cell];
-  Eigen::RowVectorXd values = Eigen::RowVectorXd::Zero(points.cols());
-  for (int i = 0; i < 16; ++i) values += (along_u[i % 4] * along_v[i / 4]) * points.row(i);
-  for (int s = kept; s < steps; ++s) values = (values * step_near_).eval();
-  return values;
-}
-
-DerivativeRows RingNet::face_basis(int face, double u_of_face, double v_of_face) const {
-  const auto [steps, cell, u, v] = RegularPlace(face, u_of_face, v_of_face);
   const Eigen::Matrix4d along_u = cubic_bspline(u), along_v = cubic_bspline(v);
   if (steps == 0) {
     DerivativeRows rows(kDerivativeCount, 16);

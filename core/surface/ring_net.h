@@ -38,8 +38,6 @@ class RingNet {
   /// matrix power not diagonalized; derivatives of order 3 lose a factor 8 in absolute accuracy with every halving of
   /// the distance.
   DerivativeRows face_basis(int cell, double u, double v) const;
-  /// Its first row: the basis itself.
-  Eigen::RowVectorXd face_values(int cell, double u, double v) const;
   /// The same at a point of sector 0, (u, v) in [0, 2]^2 without (0, 0), over all control points; 10 x size.
   DerivativeRows basis(double u, double v) const;
 

@@ -115,20 +115,6 @@ TEST(RingNet, basis_tends_to_the_limit_position) {
   }
 }
 
-TEST(RingNet, values_on_a_face_are_the_first_row_of_its_derivatives) {
-  for (const int valence : {3, 5, 12}) {
-    const RingNet net(valence);
-    for (int cell = 0; cell < 4; ++cell) {
-      for (const double u : {0.003, 0.3, 0.7, 1.0}) {
-        for (const double v : {0.001, 0.4, 1.0}) {
-          const Eigen::RowVectorXd expected = net.face_basis(cell, u, v).row(0);
-          EXPECT_LT((net.face_values(cell, u, v) - expected).cwiseAbs().maxCoeff(), 1e-15);
-        }
-      }
-    }
-  }
-}
-
 TEST(RingNet, cross_product_of_limit_tangents_points_to_the_side_that_sees_sectors_counterclockwise) {
   for (const int valence : {3, 5, 12, 24}) {
     const RingNet net(valence);
