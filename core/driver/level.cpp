@@ -175,8 +175,8 @@ bool Level::goes_on() {
   return true;
 }
 
-/// Whether the Hessian of some iterations ago still tells where a level converges: that of second order does. Where levels
-/// of third order end can depend on each digit of their way, and there is little to gain.
+/// Whether the Hessian of some iterations ago still tells where a level converges: that of second order does. Where
+/// levels of third order end can depend on each digit of their way, and there is little to gain.
 bool Level::last_hessian_serves() const { return !third_order(options_.weights); }
 
 bool Level::above_the_level_before() const {
