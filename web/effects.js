@@ -44,8 +44,10 @@ export function createEffects({ client, save, load, setAddress }) {
     if (!opening) return;
     const isNew = opening.run !== before.opening?.run;
     const { run, source, settings, levelOffset, then } = opening;
-    if (isNew) client.send({ type: 'open', run, source, options: optionsOf(settings, levelOffset) });
-    if (then !== 'hold' && (isNew || then !== before.opening?.then)) {
+    const goesOn = then !== 'hold' && { then };
+    if (isNew) {
+      client.send({ type: 'open', run, source, options: optionsOf(settings, levelOffset), ...goesOn });
+    } else if (goesOn && then !== before.opening?.then) {
       client.send({ type: then === 'run' ? 'optimize' : 'step', run });
     }
   }
@@ -89,6 +91,11 @@ export function createEffects({ client, save, load, setAddress }) {
         break;
       case 'surfaceDrawn':
         if (before.coarse) client.send({ type: 'detail', run });
+        if (before.coarse && after.minimizer && after.cage?.source.kind === 'generated') {
+          // What its button opens, "Minimize again".
+          const options = optionsOf(after.minimizer.settings, 0);
+          client.send({ type: 'expect', run, source: after.cage.source, options });
+        }
         break;
       case 'answered':
         if (action.message.type === 'exported' && action.message.run === run) {

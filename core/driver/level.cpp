@@ -47,10 +47,10 @@ const IdentityMetric kIdentityMetric;
 
 /// What is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost grows faster with
 /// the unknowns: without symmetry, where there are more patches for each of them, and sooner for functionals that
-/// converge well in any metric.
+/// converge well in any metric: those of second order need it only with symmetry.
 MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
-  const int second_order_most = surface.symmetry().order > 1 ? 2000 : 100;
+  const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
   const int most = third_order(options.weights) ? 8000 : second_order_most;
   return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
 }
@@ -115,7 +115,8 @@ void Level::make_metric() {
 }
 
 bool Level::metric_is_stale() const {
-  if (!metric_ || !lbfgs_->between_iterations()) return false;
+  if (!metric_ || !lbfgs_->between_iterations() || (last_hessian_serves() && lbfgs_->has_nearly_converged()))
+    return false;
   const int lifetime = metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
   return lbfgs_->iterations() - metric_iteration_ >= lifetime;
 }
@@ -165,9 +166,18 @@ bool Level::goes_on() {
     strict_ = true;
   }
   lbfgs_->resume(strict_ ? kStrictness * options_.tolerance : options_.tolerance);
-  if (metric_) rebuild_metric();
+  if (in_question && last_hessian_serves()) {
+    metric_->settle();
+    building_ = true;
+  } else if (metric_) {
+    rebuild_metric();
+  }
   return true;
 }
+
+/// Whether the Hessian of some iterations ago still tells where a level converges: that of second order does. Where
+/// levels of third order end can depend on each digit of their way, and there is little to gain.
+bool Level::last_hessian_serves() const { return !third_order(options_.weights); }
 
 bool Level::above_the_level_before() const {
   return evaluable() && lbfgs_->best_value() >

@@ -81,6 +81,7 @@ class Level {
   bool metric_is_stale() const;
   bool metric_is_in_vain() const;
   bool goes_on();
+  bool last_hessian_serves() const;
   bool above_the_level_before() const;
   bool evaluated() const { return lbfgs_ && lbfgs_->evaluations() > 0; }
 

@@ -78,7 +78,8 @@ struct Run::State {
         const bool ended = level->step();
         progress.phase = ended ? Phase::kReport : level->preparing() ? Phase::kPrepare : Phase::kMinimize;
         update_progress();
-        if (!(progress.energy == before)) energies.reset();
+        const bool stays = progress.energy == before || (std::isnan(progress.energy) && std::isnan(before));
+        if (!stays) energies.reset();
         if (level->rule_is_in_question() && level->needs_finer_rule(report_energies())) take_finer_rule();
         break;
       }

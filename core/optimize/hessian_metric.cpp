@@ -4,6 +4,7 @@
 #include "optimize/hessian_metric.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace umbilic {
 namespace {
@@ -30,6 +31,13 @@ void HessianMetric::begin(const Points& control) {
   mu_ = std::max(mu_ / fall_, kSmallestMu);
   settled_ = mu_ <= kSettledMu;
   size_gradient_ = unknowns_.pull_back(control.rowwise() - control.colwise().mean());
+}
+
+void HessianMetric::settle() {
+  assert(ready_);
+  factoring_ = ready_ = rose_ = false;
+  mu_ = std::min(mu_, kSettledMu);
+  settled_ = true;
 }
 
 bool HessianMetric::advance() {

@@ -33,6 +33,7 @@ class HessianMetric : public SurfaceMetric {
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
   /// Whether mu is small, or fell no further.
   bool settled() const override { return settled_; }
+  void settle() override;
   /// mu.
   double sobolev_share() const override { return mu_; }
   /// a.

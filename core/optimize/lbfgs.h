@@ -46,6 +46,8 @@ class Lbfgs {
 
   /// Whether the next `step` starts a new line search, so that the metric may change.
   bool between_iterations() const { return !search_; }
+  /// Whether the decrease that was last predicted is within the tolerance.
+  bool has_nearly_converged() const { return predicted_ <= options_.tolerance * std::max(value_, options_.floor); }
   /// Takes effect with the next direction; the curvature pairs stay. `metric` outlives the optimizer.
   void set_metric(const Metric& metric) { metric_ = &metric; }
   /// Drops the curvature pairs.

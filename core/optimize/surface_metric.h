@@ -18,6 +18,9 @@ class SurfaceMetric : public Metric {
   virtual bool knows_hessian() const = 0;
   /// Whether a metric built here and now would be no better: convergence in this one can be believed.
   virtual bool settled() const = 0;
+  /// Starts to make it so from the matrices that a ready metric has, for a surface at which it has converged; `advance`
+  /// ends it. Costs much less than another metric.
+  virtual void settle() = 0;
   /// The factor of the Sobolev product in the metric.
   virtual double sobolev_share() const = 0;
 };

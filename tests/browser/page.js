@@ -97,7 +97,7 @@ export async function recordProgress(page) {
 
 /**
  * Before the page loads: keeps what passes between page and worker, and when pictures are drawn, from the next press of
- * Start on.
+ * Start, or of the button that minimizes an entry again, on.
  * @typedef {{time: number, name: string, evaluations: number}} PageEvent `time` in milliseconds after the press
  * @param {Page} page
  */
@@ -120,11 +120,9 @@ export async function recordEvents(page) {
       new MutationObserver(() => canvas.dataset.picture !== 'old' && keep('drawn')).observe(canvas, {
         attributeFilter: ['data-picture'],
       });
-      document
-        .querySelector('#primary')
-        ?.addEventListener('click', () => ((events = []), (start = performance.now())), {
-          capture: true,
-        });
+      for (const button of document.querySelectorAll('#primary, #entry button')) {
+        button.addEventListener('click', () => ((events = []), (start = performance.now())), { capture: true });
+      }
     });
     Object.assign(window, { recordedEvents: () => events });
   });

@@ -97,10 +97,24 @@ describe('the worker is told', () => {
     expect(sent.at(-1)).toEqual({ type: 'step', run: 1 });
   });
 
-  test('to open and then to run, when a run starts anew', () => {
+  test('to open and to go on at once, when a run or a step starts anew', () => {
     run(ended(), { type: 'startPressed' });
-    expect(types()).toEqual(['open', 'optimize']);
-    expect(sent.map((command) => command.run)).toEqual([2, 2]);
+    expect(sent).toEqual([expect.objectContaining({ type: 'open', run: 2, then: 'run' })]);
+    run(ended(), { type: 'stepPressed' });
+    expect(sent.slice(1)).toEqual([expect.objectContaining({ type: 'open', run: 2, then: 'step' })]);
+  });
+
+  test('which run to expect, once the minimizer that can be minimized again has been drawn', () => {
+    const rested = ended();
+    const entry = /** @type {any} */ ({});
+    const settings = { ...rested.settings, functional: /** @type {const} */ ('willmore') };
+    const shown = { ...rested, coarse: true, minimizer: { entry, settings, run: 1 } };
+    const state = run(shown, { type: 'surfaceDrawn' });
+    expect(types()).toEqual(['detail', 'expect']);
+    run(state, { type: 'againPressed' });
+    const [, { source, options }, again] = sent;
+    expect(options.weights).toEqual({ willmore: 1 });
+    expect(again).toEqual({ type: 'open', run: 2, source, options, then: 'run' });
   });
 
   test('to run what it is still opening', () => {

@@ -42,10 +42,10 @@ beforeEach(() => {
 /** @type {import('../../wasm/types.js').MinimizerOptions} */
 const options = { weights: { bending: 1 }, levels: [1, 1], cap: 'smooth' };
 
-/** @param {number} run @param {any} [more] */
-function open(run, more = {}) {
+/** @param {number} run @param {any} [more] options @param {{then?: 'run' | 'step'}} [goesOn] */
+function open(run, more = {}, goesOn = {}) {
   const source = /** @type {const} */ ({ kind: 'generated', name: 'cube', family: 'flag', thickness: 1 });
-  obey({ type: 'open', run, source, options: { ...options, ...more } });
+  obey({ type: 'open', run, source, options: { ...options, ...more }, ...goesOn });
 }
 
 /** Lets the session work, `turns` yields at most. @param {number} [turns] */
@@ -144,6 +144,57 @@ describe('opening', () => {
     expect(messages).toEqual([]);
     obey({ type: 'optimize', run: 1 });
     expect(messages).toEqual([expect.objectContaining({ type: 'failed', kind: 'internal' })]);
+  });
+});
+
+describe('while a surface rests', () => {
+  /** How many turns it takes until the first surface that has moved is told. @param {number} run */
+  function turnsUntilMoved(run) {
+    messages.length = 0;
+    let turns = 0;
+    for (; !all('surfaced').length; turns++) work(1);
+    expect(all('surfaced')[0]).toMatchObject({ run });
+    return turns;
+  }
+
+  test('its level is prepared, so that the first steps are evaluations', () => {
+    open(1, { levels: [1, 2], weights: { mvs_cross: 1 } });
+    obey({ type: 'optimize', run: 1 });
+    const unprepared = turnsUntilMoved(1);
+    open(2, { levels: [1, 2], weights: { mvs_cross: 1 } });
+    work();
+    expect(rests).toBe(1);
+    obey({ type: 'optimize', run: 2 });
+    const prepared = turnsUntilMoved(2);
+    expect(prepared).toBeLessThanOrEqual(all('surfaced')[0].evaluations);
+    expect(prepared).toBeLessThan(unprepared);
+  });
+
+  test('the run that is expected next is prepared as well, and no other is taken for it', () => {
+    const source = /** @type {const} */ ({ kind: 'generated', name: 'two-3', family: 'flag', thickness: 1 });
+    const asked = { ...options, weights: { mvs_cross: 1 } };
+    open(1);
+    obey({ type: 'expect', run: 1, source, options: asked });
+    work();
+    const energies = [];
+    const turns = [];
+    for (const [run, changed] of [asked, { ...asked, levels: /** @type {[number, number]} */ ([1, 2]) }].entries()) {
+      obey({ type: 'open', run: run + 2, source, options: changed, then: 'run' });
+      turns.push(turnsUntilMoved(run + 2));
+      energies.push(all('measured')[0].energies.mvs_cross);
+    }
+    expect(turns[0]).toBeLessThan(turns[1]);
+    expect(energies[0] / energies[1]).toBeCloseTo(1, 12); // of the same cage
+  });
+
+  test('a run that could not be opened is not expected, without a word', () => {
+    open(1);
+    work();
+    messages.length = 0;
+    const source = /** @type {const} */ ({ kind: 'generated', name: 'none', family: 'flag', thickness: 1 });
+    obey({ type: 'expect', run: 1, source, options });
+    work();
+    expect(messages).toEqual([]);
   });
 });
 
@@ -300,6 +351,14 @@ describe('a run', () => {
     obey({ type: 'optimize', run: 1 });
     work();
     expect(all('ended')).toHaveLength(1);
+  });
+
+  test('that goes on as it is opened does not show its cage first', () => {
+    pace = 0.1;
+    open(1, {}, { then: 'step' });
+    work();
+    expect(types()).toEqual(['opened', 'measured', 'stepped', 'paused', 'surfaced', 'saved', 'measured']);
+    expect(all('surfaced')[0].evaluations).toBe(1);
   });
 
   test('takes one step when it is asked for one', () => {

@@ -150,7 +150,7 @@ export function createClient({ createWorker, onMessage, onLost }) {
     send(command) {
       if (pings === 0 && !running) silence = 0;
       if (command.type === 'optimize' || command.type === 'step') running = true;
-      if (command.type === 'open') running = false;
+      if (command.type === 'open') running = command.then !== undefined;
       if (command.type === 'pause' || command.type === 'cancel') {
         silence = 0;
         patience = COMMAND_PATIENCE;

@@ -12,17 +12,22 @@
  * Where a cage comes from: the text of an OBJ or OFF file; a generator's name and parameters; or such a cage refined `level`
  * times, with the control points of the first vertex of each of its symmetry's orbits.
  * @typedef {{name: string, family: 'hub' | 'flag', thickness: number}} Generator
- * @typedef {{kind: 'text', name: string, text: string | Uint8Array} | ({kind: 'generated'} & Generator) | ({kind:
- *   'minimizer', level: number, points: Float64Array} & Generator)} Source
+ * @typedef {{kind: 'generated'} & Generator} Generated
+ * @typedef {{kind: 'text', name: string, text: string | Uint8Array} | Generated | ({kind: 'minimizer', level: number, points:
+ *   Float64Array} & Generator)} Source
  */
 
 /**
  * Reads or makes the cage and shows its surface. Answers `opened`, `surfaced`, `saved`, `measured`, or `failed`; for a minimizer, which
  * has many faces, `opened` and a coarse `surfaced` alone, so that nothing else takes the machine's time before it is on the screen.
- * @typedef {{type: 'open', run: number, source: Source, options: MinimizerOptions}} Open
+ * With `then`, as if `optimize` or `step` followed: the surface at rest is not shown first.
+ * @typedef {{type: 'open', run: number, source: Source, options: MinimizerOptions, then?: 'run' | 'step'}} Open
  *
  * The coarse surface is on the screen. Answers what `open` has left out.
  * @typedef {{type: 'detail', run: number}} Detail
+ *
+ * What the user may open next: while the surface rests the worker prepares it, if it can be opened. No answer.
+ * @typedef {{type: 'expect', run: number, source: Generated, options: MinimizerOptions}} Expect
  *
  * Minimizes until told otherwise. Answers `stepped`, `surfaced`, `saved`, `levelEnded`, at last `ended`. The first surface
  * that has moved comes before everything that takes longer than a step.
@@ -45,7 +50,7 @@
  *
  * Asks for a sign of life: `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Detail | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Ping} Command
+ * @typedef {Open | Detail | Expect | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Ping} Command
  */
 
 /**

@@ -6,8 +6,8 @@
  */
 import { createCertification } from './certification.js';
 import { MOVING_QUADS, RESTING_QUADS, SAVED_QUADS, densityFor } from './density.js';
+import { createExpectation } from './expectation.js';
 import { Occasion } from './occasion.js';
-import { cageFrom } from './sources.js';
 
 /** @import {Cage, Minimizer} from '../../wasm/umbilic.js' */
 /** @import {Mesh} from '../../wasm/types.js' */
@@ -19,7 +19,7 @@ import { cageFrom } from './sources.js';
  * @property {(message: Message) => void} post
  * @property {(task: () => void) => void} yieldThen runs the task after the messages that have arrived meanwhile
  * @property {() => number} now milliseconds
- * @property {() => void} [rested] is called when all has been told of a surface that rests
+ * @property {() => void} [rested] is called when all has been told of a surface that rests, and its level is prepared
  */
 
 /** Milliseconds between two meshes, and between two messages about steps. */
@@ -32,6 +32,8 @@ const MEASURE_INTERVAL = 1000;
 const MEASURE_LIMIT = 60;
 /** A measurement takes at most about this many times as long as a step. */
 const MEASURE_STEPS = 8;
+/** Patches of the largest level that is prepared before it is asked for: more take memory that looking does not. */
+const MOST_PATCHES_AHEAD = 4000;
 
 /**
  * @param {Surroundings} surroundings
@@ -48,6 +50,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   let introducing = false;
   /** Whether it is a minimizer that has not been shown yet. */
   let coarse = false;
+  /** Whether it may be minimized: a minimizer is but looked at. */
+  let startable = false;
   let levelsTold = 0;
   /** Of the surface that was told last: its level, faces of the mesh that it is evaluated on, and energy, if known. */
   let told = { level: -1, patches: 0, energy: NaN };
@@ -67,6 +71,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   let slowLevel = -1;
   const certification = createCertification({ post, yieldThen: (task) => yieldThen(() => guard(run, task)) });
 
+  const expectation = createExpectation({ core, yieldThen: (task) => yieldThen(() => guard(run, task)) });
+
   /** @returns {Minimizer} */
   function current() {
     if (!minimizer) throw new Error('no cage is open');
@@ -75,28 +81,25 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
 
   /** @param {Open} command */
   function open(command) {
-    const { cage, counts } = cageFrom(core.Cage, command.source);
-    try {
-      const opened = new core.Minimizer(cage, command.options);
-      certification.drop();
-      minimizer?.dispose();
-      minimizer = opened;
-      run = command.run;
-      pace = 'resting';
-      introducing = true;
-      coarse = command.source.kind === 'minimizer';
-      levelsTold = 0;
-      told = { level: -1, patches: 0, energy: NaN };
-      firstEnergy = NaN;
-      savedEvaluations = -1;
-      measuredEvaluations = -1;
-      samples = [];
-      surfaceOccasion.postpone();
-      post({ type: 'opened', run, counts, group: opened.group });
-    } finally {
-      cage.dispose();
-    }
+    const { minimizer: opened, counts } = expectation.take(command.source, command.options);
+    certification.drop();
+    minimizer?.dispose();
+    minimizer = opened;
+    run = command.run;
+    pace = 'resting';
+    introducing = true;
+    coarse = command.source.kind === 'minimizer';
+    startable = !coarse;
+    levelsTold = 0;
+    told = { level: -1, patches: 0, energy: NaN };
+    firstEnergy = NaN;
+    savedEvaluations = -1;
+    measuredEvaluations = -1;
+    samples = [];
+    surfaceOccasion.postpone();
+    post({ type: 'opened', run, counts, group: opened.group });
     yieldThen(() => guard(command.run, () => introduce(command.run)));
+    if (command.then) go(command.then === 'run' ? 'running' : 'stepping');
   }
 
   /**
@@ -161,7 +164,18 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     tellSurface(RESTING_QUADS);
     tellSaved();
     tellEnergies();
-    rested();
+    prepareAhead(run);
+  }
+
+  /**
+   * What the first step of a level takes, in parts between the messages, so that the surface moves at once when it is to.
+   * @param {number} opened
+   */
+  function prepareAhead(opened) {
+    if (opened !== run || pace !== 'resting') return;
+    if (!startable || told.patches > MOST_PATCHES_AHEAD || current().progress.phase !== 'prepare') return rested();
+    current().step(1);
+    yieldThen(() => guard(opened, () => prepareAhead(opened)));
   }
 
   function tellLevels() {
@@ -260,6 +274,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     pace = newPace;
     slowLevel = -1;
     shown = false;
+    stepOccasion.postpone(); // the first surface that has moved comes first
     keepTicking();
   }
 
@@ -280,6 +295,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     switch (command.type) {
       case 'detail':
         return introduce(run);
+      case 'expect':
+        return expectation.begin(command.source, command.options);
       case 'optimize':
         return go('running');
       case 'step':

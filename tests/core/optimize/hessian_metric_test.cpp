@@ -140,6 +140,26 @@ TEST(HessianMetric, can_be_built_again_at_other_surfaces_as_if_it_were_new_but_f
   EXPECT_GE(metric.sobolev_share(), 0.99e-8);
 }
 
+TEST(HessianMetric, settles_with_the_matrices_that_it_has_and_with_a_mu_that_is_small_or_cannot_fall) {
+  const Surface s = symmetric_surface(*generate_cage("two-3"));
+  HessianMetric metric(s.layout, s.unknowns, only(kBending), kFewPoints);
+  finish(metric, s.control);
+  finish(metric, s.control);
+  const double before = metric.sobolev_share();
+  metric.settle();
+  while (!metric.advance()) {
+  }
+  EXPECT_TRUE(metric.settled());
+  const double mu = metric.sobolev_share();
+  EXPECT_LE(mu, before * 1.001);
+  const Eigen::MatrixXd smaller = factored(s.layout, s.unknowns, only(kBending), s.control, mu / 10);
+  EXPECT_TRUE(mu <= 1.001e-5 || Eigen::LLT<Eigen::MatrixXd>(smaller).info() != Eigen::Success);
+  const Eigen::MatrixXd matrix = dense(s.layout, s.unknowns, only(kBending), s.control, mu, kMetricUmbilicEta);
+  const Eigen::MatrixXd q = complement(metric.size_gradient());
+  const Eigen::VectorXd x = q * Random(9).matrix<Eigen::VectorXd>(matrix.rows() - 1, 1);
+  EXPECT_LT((metric.solve(matrix * x) - x).norm(), 1e-8 * x.norm());
+}
+
 /// Along x itself a Newton step gains nothing: with a . d = 0 it is one of the shape.
 TEST(HessianMetric, moves_along_no_mere_change_of_scale) {
   const Surface s = symmetric_surface(*generate_cage("two-3"));
