@@ -20,9 +20,9 @@ constexpr int kHessianLifetime = 10;
 constexpr int kSobolevLifetime = 25;
 
 /// Far from a minimum a Hessian may need so much of the Sobolev product that it adds nothing to it: after so many such
-/// metrics Sobolev's alone takes over, unless the surface has so few patches to evaluate that it does not matter.
+/// metrics in a row Sobolev's alone takes over, unless the surface has so few patches to evaluate that it does not
+/// matter.
 constexpr int kPatience = 3;
-constexpr double kVainShare = 10;
 constexpr int kCheapPatches = 2100;
 
 /// Of levels that only prepare the first evaluable one.
@@ -121,8 +121,7 @@ bool Level::metric_is_stale() const {
 }
 
 bool Level::metric_is_in_vain() const {
-  return metrics_ >= kPatience && metric_->knows_hessian() && metric_->sobolev_share() >= kVainShare &&
-         surface_.layout().patch_count() > kCheapPatches;
+  return vain_metrics_ >= kPatience && surface_.layout().patch_count() > kCheapPatches;
 }
 
 bool Level::step() {
@@ -143,6 +142,7 @@ bool Level::step() {
     if (!metric_->advance()) return false;
     building_ = false;
     ++metrics_;
+    vain_metrics_ = metric_->predicts() ? 0 : vain_metrics_ + 1;
     if (lbfgs_) {
       metric_iteration_ = lbfgs_->iterations();
       if (metric_->knows_hessian()) lbfgs_->forget();

@@ -140,6 +140,18 @@ TEST(HessianMetric, can_be_built_again_at_other_surfaces_as_if_it_were_new_but_f
   EXPECT_GE(metric.sobolev_share(), 0.99e-8);
 }
 
+TEST(HessianMetric, predicts_decreases_unless_the_sobolev_product_outweighs_the_hessian) {
+  // At surfaces so rough that mu is 10 or more, and once it has fallen on a smooth one.
+  const Surface rough = rough_surface(trapezohedron(5), 1, 0.5, 1), smooth = rough_surface(trapezohedron(5), 1, 0, 1);
+  HessianMetric metric(rough.layout, rough.unknowns, only(kMvsCross), kFewPoints);
+  finish(metric, rough.control);
+  ASSERT_GE(metric.sobolev_share(), kVainShare);
+  EXPECT_FALSE(metric.predicts());
+  for (int i = 0; i < 6; ++i) finish(metric, smooth.control);
+  ASSERT_LT(metric.sobolev_share(), kVainShare);
+  EXPECT_TRUE(metric.predicts());
+}
+
 /// Along x itself a Newton step gains nothing: with a . d = 0 it is one of the shape.
 TEST(HessianMetric, moves_along_no_mere_change_of_scale) {
   const Surface s = symmetric_surface(*generate_cage("two-3"));
