@@ -21,6 +21,24 @@ bool settles(const LevelEnergy* levels) {
   return change <= std::max(kSettlingFraction * before, kSettledFraction * levels[2].bending);
 }
 
+/// NaN where an energy has risen.
+double observed_order(double before, double decrease) {
+  return before > 0 && decrease > 0 ? std::log2(before / decrease) : kNaN;
+}
+
+/// What the elements' order leaves after the last of `levels`, of an error that was all of an earlier decrease.
+double left_by_elements(const std::vector<LevelEnergy>& levels, double elements) {
+  const LevelEnergy* last = &levels.back();
+  const double before = last[-2].energy - last[-1].energy, decrease = last[-1].energy - last[0].energy;
+  double expected = std::max(before, 0.0) / std::exp2(elements);
+  if (levels.size() > 3 && last[-3].minimized) {
+    const double first = last[-3].energy - last[-2].energy;
+    const bool falls = 2 * observed_order(before, decrease) < observed_order(first, before);
+    if (falls) expected = first / std::exp2(2 * elements);
+  }
+  return expected / (std::exp2(elements) - 1);
+}
+
 }  // namespace
 
 LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order) {
@@ -31,20 +49,23 @@ LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order
   const LevelEnergy* three = &levels[levels.size() - 3];
   const bool minimized = std::all_of(three, three + 3, [](const LevelEnergy& l) { return l.minimized; });
   const double before = three[0].energy - three[1].energy, decrease = three[1].energy - last;
-  const double order = before > 0 && decrease > 0 ? std::log2(before / decrease) : kNaN;
+  double order = observed_order(before, decrease);
   if (!minimized) return no_limit(LimitStatus::kNotMinimized, last, order);
 
   const double uncertainty = three[1].uncertainty + three[2].uncertainty;
-  if (std::abs(decrease) <= uncertainty) {
-    return {LimitStatus::kConverging, last, kNaN, std::abs(decrease) + uncertainty};
-  }
-  if (!(order >= kLeastOrder) || (third_order && !settles(three))) {
+  const bool agree = std::abs(decrease) <= uncertainty;
+  if (agree) {
+    order = kNaN;
+  } else if (!(order >= kLeastOrder) || (third_order && !settles(three))) {
     return no_limit(LimitStatus::kNotConverging, last, order);
   }
-  const double ratio = std::exp2(std::min(order, third_order ? 2.0 : 4.0));
-  const double correction = decrease / (ratio - 1);
-  return {LimitStatus::kConverging, last - correction, order,
-          std::max(decrease - correction, correction) + uncertainty};
+  const double elements = third_order ? 2 : 4;
+  double correction = left_by_elements(levels, elements);
+  if (std::abs(decrease) >= 2 * correction) {
+    correction = agree ? 0 : decrease / (std::exp2(std::min(order, elements)) - 1);
+  }
+  const double error = std::max(std::abs(decrease) - correction, correction) + uncertainty;
+  return {LimitStatus::kConverging, last - correction, order, error};
 }
 
 }  // namespace umbilic

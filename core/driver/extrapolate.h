@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The limit of the levels' energies, with an error that covers what three levels can tell.
+/// The limit of the levels' energies, with an error that covers what the last levels can tell.
 ///
-/// With the decreases d1 = E1 - E2 and d2 = E2 - E3 of the last three levels the observed order is p = log2(d1 / d2).
-/// The limit is extrapolated with the smaller of p and the order q of bicubic elements, 2 for functionals of third
-/// order and 4 for those of second: E3 - d2 / (2^q - 1). As the true order may be anything from 1 on, the limit lies in
-/// [E3 - d2, E3], and the error is the distance to the farther end, plus what the optimizer and the quadrature leave.
+/// d1 = E1 - E2 and d2 = E2 - E3 are the decreases of the last three levels, p = log2(d1 / d2) the observed order, and
+/// q the order of bicubic elements: 2 for functionals of third order, 4 for those of second. The limit is extrapolated
+/// with the smaller order, E3 - d2 / (2^min(p,q) - 1). As the true order may be anything from 1 on, it lies in
+/// [E3 - d2, E3].
+///
+/// An error C h^q that decreases by d1 leaves c = d1 / 2^q / (2^q - 1) after E3. Where d2 < 2c, that is where p exceeds
+/// q by more than log2((2^q - 1) / 2), the last decrease is too small for the elements, and says nothing of what is
+/// left: either d1 has a part that vanishes faster, or in d2 parts of different signs cancel, as caps shrink from level
+/// to level and may raise an energy. Then the limit is E3 - c, and lies in [E3 - 2c, E3]. Where the order before, p' =
+/// log2(d0 / d1), is known, and p has fallen by more than is left of it, 2p < p', even d1 was as small, and c is d0 /
+/// 4^q / (2^q - 1).
+///
+/// The error is the distance to the farther end, plus what the optimizer and the quadrature leave.
 #pragma once
 
 #include <vector>

@@ -20,9 +20,9 @@ constexpr int kHessianLifetime = 10;
 constexpr int kSobolevLifetime = 25;
 
 /// Far from a minimum a Hessian may need so much of the Sobolev product that it adds nothing to it: after so many such
-/// metrics Sobolev's alone takes over, unless the surface has so few patches to evaluate that it does not matter.
+/// metrics in a row Sobolev's alone takes over, unless the surface has so few patches to evaluate that it does not
+/// matter.
 constexpr int kPatience = 3;
-constexpr double kVainShare = 10;
 constexpr int kCheapPatches = 2100;
 
 /// Of levels that only prepare the first evaluable one.
@@ -53,10 +53,6 @@ MetricChoice choose(const LevelOptions& options, const Surface& surface, int unk
   const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
   const int most = third_order(options.weights) ? 8000 : second_order_most;
   return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
-}
-
-int euler_characteristic(const PolygonMesh& mesh) {
-  return mesh.vertex_count() - mesh.edge_count() + mesh.face_count();
 }
 
 Unknowns unknowns_of(const RefinedCage& cage, const Coordinates& coordinates, const Surface& surface) {
@@ -97,7 +93,7 @@ void Level::start() {
 }
 
 void Level::prepare() {
-  objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, euler_characteristic(surface_.mesh()),
+  objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.mesh().euler_characteristic(),
                                                   surface_.start());
   if (!start_energy_) start_energy_ = objective_->start_energy();
   if (metric_choice_ == MetricChoice::kIdentity) return;
@@ -122,8 +118,7 @@ bool Level::metric_is_stale() const {
 }
 
 bool Level::metric_is_in_vain() const {
-  return metrics_ >= kPatience && metric_->knows_hessian() && metric_->sobolev_share() >= kVainShare &&
-         surface_.layout().patch_count() > kCheapPatches;
+  return vain_metrics_ >= kPatience && surface_.layout().patch_count() > kCheapPatches;
 }
 
 bool Level::step() {
@@ -144,6 +139,7 @@ bool Level::step() {
     if (!metric_->advance()) return false;
     building_ = false;
     ++metrics_;
+    vain_metrics_ = metric_->predicts() ? 0 : vain_metrics_ + 1;
     if (lbfgs_) {
       metric_iteration_ = lbfgs_->iterations();
       if (metric_->knows_hessian()) lbfgs_->forget();

@@ -54,8 +54,9 @@ class Level {
   /// Whether the mesh whose points are moved is the one that the surface is evaluated on.
   bool evaluable() const { return surface_.level() == start_.level; }
   int quadrature() const { return options_.quadrature; }
-  /// Whether it has seemed to converge above the level before, so that its convergence says little.
-  bool doubtful() const { return strict_; }
+  /// Whether it has seemed to converge above the level before, or in a metric that predicts nothing, so that its
+  /// convergence says little.
+  bool doubtful() const { return strict_ || vain_metrics_ > 0; }
   const Surface& surface() const { return surface_; }
   /// Control points on the evaluated mesh of the best surface so far.
   Points best() const { return lbfgs_ ? unknowns_.control(lbfgs_->best()) : surface_.start(); }
@@ -96,6 +97,7 @@ class Level {
   bool building_ = false;
   std::unique_ptr<Lbfgs> lbfgs_;
   int metric_iteration_ = 0, metrics_ = 0;
+  int vain_metrics_ = 0;                // the latest in a row that predict nothing
   std::optional<double> start_energy_;  // of the level's first surface by its first rule
   bool strict_ = false;                 // whether the tolerance has been tightened
   bool cancelled_ = false;

@@ -14,6 +14,9 @@ namespace umbilic {
 /// single samples near umbilics make mu rise by orders of magnitude.
 inline constexpr double kMetricUmbilicEta = 0.03;
 
+/// mu from which on the Sobolev product makes up the metric: what it predicts is but the smaller for a larger mu.
+inline constexpr double kVainShare = 10;
+
 /// metric = H + u v^T + v u^T + mu S on the directions d that keep the surface's size, a . d = 0.
 ///
 /// Energies have degree 0 in the control points x, so that x . Hessian x = 0 and Hessian x = -gradient: Newton's step
@@ -34,6 +37,8 @@ class HessianMetric : public SurfaceMetric {
   /// Whether mu is small, or fell no further.
   bool settled() const override { return settled_; }
   void settle() override;
+  /// Whether mu hides no more than a part of the Hessian.
+  bool predicts() const override { return mu_ < kVainShare; }
   /// mu.
   double sobolev_share() const override { return mu_; }
   /// a.

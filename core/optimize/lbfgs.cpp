@@ -114,7 +114,8 @@ void Lbfgs::begin_iteration() {
   const double threshold = options_.tolerance * std::max(value_, options_.floor);
   const bool has_trend = static_cast<int>(recent_values_.size()) > 2 * options_.trend;
   predicted_ = has_trend ? std::max(model, trend()) : model;
-  if (model <= kModelAlone * threshold || (has_trend && predicted_ <= threshold)) {
+  const bool model_alone = metric_->predicts() && model <= kModelAlone * threshold;
+  if (model_alone || (has_trend && predicted_ <= threshold)) {
     stop_ = StopReason::kConverged;
   } else if (!(slope < 0) || model <= kRelativeRoundOff * std::abs(value_)) {
     stop_ = StopReason::kRoundOff;

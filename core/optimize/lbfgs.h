@@ -25,8 +25,8 @@ struct LbfgsOptions {
 
 /// Nocedal & Wright, algorithm 7.4, with H0 = gamma metric^-1, gamma = s.y / (y . metric^-1 y). The decrease still
 /// predicted is the larger of the quadratic model's, g . H g / 2, and of what the decreases of the last two spans of
-/// iterations leave when they go on as a geometric sequence, at least the last one; before there are so many, a model
-/// far below the tolerance is believed alone.
+/// iterations leave when they go on as a geometric sequence, at least the last one. A model far below the tolerance is
+/// believed alone where the metric's predictions are.
 class Lbfgs {
  public:
   /// `objective` and `metric` outlive the optimizer.

@@ -27,6 +27,8 @@ class Metric {
   virtual ~Metric() = default;
   /// The solution of metric * direction = gradient.
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const = 0;
+  /// Whether the decrease that it predicts from one gradient alone may be believed.
+  virtual bool predicts() const { return true; }
 };
 
 }  // namespace umbilic

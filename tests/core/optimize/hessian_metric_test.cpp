@@ -160,6 +160,18 @@ TEST(HessianMetric, settles_with_the_matrices_that_it_has_and_with_a_mu_that_is_
   EXPECT_LT((metric.solve(matrix * x) - x).norm(), 1e-8 * x.norm());
 }
 
+TEST(HessianMetric, predicts_decreases_unless_the_sobolev_product_outweighs_the_hessian) {
+  // At surfaces so rough that mu is 10 or more, and once it has fallen on a smooth one.
+  const Surface rough = rough_surface(trapezohedron(5), 1, 0.5, 1), smooth = rough_surface(trapezohedron(5), 1, 0, 1);
+  HessianMetric metric(rough.layout, rough.unknowns, only(kMvsCross), kFewPoints);
+  finish(metric, rough.control);
+  ASSERT_GE(metric.sobolev_share(), kVainShare);
+  EXPECT_FALSE(metric.predicts());
+  for (int i = 0; i < 6; ++i) finish(metric, smooth.control);
+  ASSERT_LT(metric.sobolev_share(), kVainShare);
+  EXPECT_TRUE(metric.predicts());
+}
+
 /// Along x itself a Newton step gains nothing: with a . d = 0 it is one of the shape.
 TEST(HessianMetric, moves_along_no_mere_change_of_scale) {
   const Surface s = symmetric_surface(*generate_cage("two-3"));

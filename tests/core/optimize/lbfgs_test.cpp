@@ -115,6 +115,27 @@ TEST(Lbfgs, resumes_to_a_smaller_tolerance) {
   EXPECT_LT(lbfgs.best_value() - 1, 1e-4 * before);
 }
 
+TEST(Lbfgs, does_not_end_by_the_model_of_a_metric_that_predicts_nothing) {
+  class Blind : public Diagonal {
+   public:
+    Blind(const Eigen::VectorXd& entries, bool predicts) : Diagonal(entries), predicts_(predicts) {}
+    bool predicts() const override { return predicts_; }
+
+   private:
+    bool predicts_;
+  };
+  const Function f(quadratic);
+  const Blind believed(1e10 * curvatures(), true), blind(1e10 * curvatures(), false);
+  LbfgsOptions options;
+  options.tolerance = 1e-5;
+  Lbfgs early(f, believed, Eigen::VectorXd::Zero(40), options), late(f, blind, Eigen::VectorXd::Zero(40), options);
+  run(early);
+  run(late);
+  EXPECT_EQ(early.stop(), StopReason::kConverged);
+  EXPECT_GT(early.best_value(), 1e4) << "a model that is 1e10 times too steep sees nothing to gain at the start";
+  EXPECT_NEAR(late.best_value(), 1, 1e-5);
+}
+
 TEST(Lbfgs, each_step_costs_one_evaluation) {
   int calls = 0;
   const Function f([&](const Eigen::VectorXd& x, Eigen::VectorXd& g) { return ++calls, rosenbrock(x, g); });
