@@ -156,7 +156,7 @@ bool Level::step() {
 /// the level before has been.
 bool Level::goes_on() {
   if (lbfgs_->stop() != StopReason::kConverged) return false;
-  const bool in_question = metric_ && !metric_->settled();
+  const bool in_question = metric_ && (!metric_->settled() || (!metric_->predicts() && vain_metrics_ < kPatience));
   if (!in_question) {
     if (strict_ || !above_the_level_before()) return false;
     strict_ = true;
