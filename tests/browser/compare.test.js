@@ -152,15 +152,19 @@ describe('surfaces side by side', () => {
     const { page } = await open('?entries=two-3.bending,torus.bending&shading=kappa2');
     await complete(page);
     await drag(page, 0);
-    const left = await pictureOf(page, page.locator('#panes'));
     await page.getByRole('button', { name: 'Copy address' }).click();
     await page.getByRole('button', { name: 'Copied' }).waitFor();
     const { search } = new URL(await page.evaluate(() => navigator.clipboard.readText()));
     const again = await open(search);
     await complete(again.page);
     expect(new URL(again.page.url()).search).toBe(search);
-    const restored = await pictureOf(again.page, again.page.locator('#panes'));
-    expect(await difference(page, left, restored)).toBeLessThan(0.01);
+    // Either page may still be drawing when everything has been told.
+    const picture = (/** @type {Page} */ shown) => pictureOf(shown, shown.locator('#panes'));
+    let different = 1;
+    for (let tries = 0; tries < 20 && different >= 0.01; tries++) {
+      different = await difference(page, await picture(page), await picture(again.page));
+    }
+    expect(different).toBeLessThan(0.01);
     await Promise.all([page.context().close(), again.page.context().close()]);
   }, 60_000);
 
