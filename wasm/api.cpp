@@ -313,8 +313,9 @@ umbilic_status umbilic_certificate_step(umbilic_certificate* certificate, int32_
       [&] {
         bool ended = false;
         for (int32_t i = 0; i < units && !ended; ++i) ended = certificate->certificate.step();
-        if (ended && !certificate->certificate.report()) return Result<bool>(certificate->certificate.report().error());
-        return Result<bool>(ended);
+        if (!ended) return Result<bool>(false);
+        const Result<CertificateReport> report = certificate->certificate.report();
+        return report ? Result<bool>(true) : Result<bool>(report.error());
       },
       [&](bool ready) { *done = ready; });
 }

@@ -93,7 +93,7 @@ struct Certificate::State {
   void judge() {
     const bool factored = factor.succeeded();
     if (factored && residual() <= kLargestResidual) return count();
-    if (report.tau * kTauFactor <= kLargestTau * (1 + 1e-9)) {
+    if (report.tau < kLargestTau / 2) {
       report.tau *= kTauFactor;
       return factor.begin(assembly.combine(1, report.tau));
     }

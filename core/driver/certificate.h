@@ -8,8 +8,8 @@
 /// conformal maps. On the complement of G they are neg(K + tau S) + pos(G^T (K + tau S)^-1 G) - dim G. The area
 /// product's rank-two term is bordered in the same way.
 ///
-/// Rounding errors of the factorization are measured: where they are no smaller than tau S on the stiffest of meshes,
-/// tau rises tenfold, up to kLargestTau.
+/// Rounding errors of the factorization are measured: while they are not small beside tau S, tau rises tenfold, up to
+/// kLargestTau.
 ///
 /// The surface is the discrete one: on coarse levels directions that only the discretization opens count as well (the
 /// Clifford torus has 5 at level 0 and none from level 2 on).

@@ -162,7 +162,7 @@ bool Level::goes_on() {
     strict_ = true;
   }
   lbfgs_->resume(strict_ ? kStrictness * options_.tolerance : options_.tolerance);
-  if (in_question && last_hessian_serves()) {
+  if (metric_ && !metric_->settled() && last_hessian_serves()) {
     metric_->settle();
     building_ = true;
   } else if (metric_) {

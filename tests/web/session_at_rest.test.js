@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The worker's session while a surface rests: what it prepares before it is asked, and certificates.
+ */
+import { describe, expect, test } from '@jest/globals';
+import { all, open, options, session, types, useSession, work } from './session_harness.js';
+
+useSession();
+
+describe('while a surface rests', () => {
+  /** How many turns it takes until the first surface that has moved is told. @param {number} run */
+  function turnsUntilMoved(run) {
+    session.messages.length = 0;
+    let turns = 0;
+    for (; !all('surfaced').length; turns++) work(1);
+    expect(all('surfaced')[0]).toMatchObject({ run });
+    return turns;
+  }
+
+  test('its level is prepared, so that the first steps are evaluations', () => {
+    open(1, { levels: [1, 2], weights: { mvs_cross: 1 } });
+    session.obey({ type: 'optimize', run: 1 });
+    const unprepared = turnsUntilMoved(1);
+    open(2, { levels: [1, 2], weights: { mvs_cross: 1 } });
+    work();
+    expect(session.rests).toBe(1);
+    session.obey({ type: 'optimize', run: 2 });
+    const prepared = turnsUntilMoved(2);
+    expect(prepared).toBeLessThanOrEqual(all('surfaced')[0].evaluations);
+    expect(prepared).toBeLessThan(unprepared);
+  });
+
+  test('the run that is expected next is prepared as well, and no other is taken for it', () => {
+    const source = /** @type {const} */ ({ kind: 'generated', name: 'two-3', family: 'flag', thickness: 1 });
+    const asked = { ...options, weights: { mvs_cross: 1 } };
+    open(1);
+    session.obey({ type: 'expect', run: 1, source, options: asked });
+    work();
+    const energies = [];
+    const turns = [];
+    for (const [run, changed] of [asked, { ...asked, levels: /** @type {[number, number]} */ ([1, 2]) }].entries()) {
+      session.obey({ type: 'open', run: run + 2, source, options: changed, then: 'run' });
+      turns.push(turnsUntilMoved(run + 2));
+      energies.push(all('measured')[0].energies.mvs_cross);
+    }
+    expect(turns[0]).toBeLessThan(turns[1]);
+    expect(energies[0] / energies[1]).toBeCloseTo(1, 12); // of the same cage
+  });
+
+  test('a run that could not be opened is not expected, without a word', () => {
+    open(1);
+    work();
+    session.messages.length = 0;
+    const source = /** @type {const} */ ({ kind: 'generated', name: 'none', family: 'flag', thickness: 1 });
+    session.obey({ type: 'expect', run: 1, source, options });
+    work();
+    expect(session.messages).toEqual([]);
+  });
+});
+
+describe('a certificate', () => {
+  /** @param {number} run @param {any} [more] */
+  function minimize(run, more) {
+    open(run, more);
+    session.obey({ type: 'optimize', run });
+    work();
+    session.messages.length = 0;
+  }
+
+  test('advances step by step and says whether the surface is a minimum', () => {
+    minimize(1);
+    session.obey({ type: 'certify', run: 1 });
+    expect(session.messages).toEqual([]);
+    work();
+    const advances = all('certificateAdvanced').map(({ progress }) => progress);
+    expect(advances.length).toBeGreaterThan(3);
+    expect(advances).toEqual([...advances].sort((a, b) => a - b));
+    expect(advances.at(-1)).toBe(1);
+    expect(session.messages.at(-1)).toEqual({
+      type: 'certified',
+      run: 1,
+      report: { level: 1, unknowns: 78, gauge: 10, tau: 1e-3, negative: 0 },
+    });
+  });
+
+  test('is abandoned between two steps, and one that is ready is not', () => {
+    minimize(1);
+    session.obey({ type: 'certify', run: 1 });
+    work(2);
+    session.obey({ type: 'abandonCertificate', run: 1 });
+    expect(types().at(-1)).toBe('certificateAbandoned');
+    const count = session.messages.length;
+    work();
+    session.obey({ type: 'abandonCertificate', run: 1 });
+    expect(session.messages).toHaveLength(count);
+    session.obey({ type: 'certify', run: 1 });
+    work();
+    expect(all('certified')).toHaveLength(1);
+  });
+
+  test('is dropped when another run opens, and refused with the reason where there can be none', () => {
+    minimize(1);
+    session.obey({ type: 'certify', run: 1 });
+    work(2);
+    minimize(2, { cap: 'flat' });
+    expect(all('certified')).toEqual([]);
+    session.obey({ type: 'certify', run: 2 });
+    work();
+    expect(session.messages).toEqual([
+      { type: 'failed', run: 2, kind: 'input', message: expect.stringMatching(/cap flat/) },
+    ]);
+  });
+
+  test('is not begun while a run goes on', () => {
+    open(1);
+    session.obey({ type: 'optimize', run: 1 });
+    session.obey({ type: 'certify', run: 1 });
+    work();
+    expect(types()).not.toContain('certified');
+    expect(all('ended')).toHaveLength(1);
+  });
+});
