@@ -197,8 +197,10 @@ bool Level::rule_is_in_question() const {
 }
 
 bool Level::needs_finer_rule(const EnergyReport& energies) const {
-  return options_.quadrature < kFinestRules && lbfgs_->iterations() < options_.max_iterations &&
-         exploits_quadrature(options_.weights, *start_energy_, lbfgs_->best_value(), surface_.objective(energies));
+  if (options_.quadrature >= kFinestRules || lbfgs_->iterations() >= options_.max_iterations) return false;
+  // Where a cap becomes wider, a level may begin far above the one before, which is no gain.
+  const double start = std::min(*start_energy_, options_.energy_before);
+  return exploits_quadrature(options_.weights, start, lbfgs_->best_value(), surface_.objective(energies));
 }
 
 std::unique_ptr<Level> Level::with_finer_rule() const {

@@ -57,8 +57,9 @@ constexpr QuadratureRule reporting_rule(CapKind cap) {
 constexpr double harmless_share(const Weights& weights) { return third_order(weights) ? 0.05 : 0.02; }
 inline constexpr double kHarmlessError = 1e-4;
 
-/// Whether a level that began with the energy `start` and has come to `energy`, both by the minimizing rule, and to
-/// `reported` by the reporting rule, makes use of the quadrature's error.
+/// Whether a level that began with the energy `start`, its own or where that is less the level's before, and has come
+/// to `energy`, both by the minimizing rule, and to `reported` by the reporting rule, makes use of the quadrature's
+/// error.
 constexpr bool exploits_quadrature(const Weights& weights, double start, double energy, double reported) {
   const double error = energy < reported ? reported - energy : energy - reported;
   return error > harmless_share(weights) * (start - reported) && error > kHarmlessError * reported;
