@@ -87,51 +87,63 @@ void PatchAssembly::build_eliminations() {
     const int count = coefficient_count(cap.shape);
     if (count == 0) continue;
     Elimination& here = eliminations_.back();
-    const auto for_each_vertex = [&](const auto& visit) {
-      for (std::size_t i = 0; i < cap.net.size(); ++i) {
-        if (cap.net[i] >= 0) visit(static_cast<Eigen::Index>(i), blocks_[cap.net[i]]);
-      }
-    };
-    for_each_vertex([&](Eigen::Index, const Coordinates::Block& block) {
+    const CapSector& sector = cap_sector(cap.valence, cap.shape);
+    for (const int vertex : cap.net) {
+      if (vertex < 0) continue;
+      const Coordinates::Block& block = blocks_[vertex];
       for (int k = 0; k < block.dimension; ++k) here.unknowns.push_back(block.first + k);
-    });
+    }
     sort_out(here.unknowns);
-    const Eigen::MatrixXd& fit = cap_sector(cap.valence, cap.shape).fit();
+    here.fitted.assign(here.unknowns.size(), false);
+    const Eigen::MatrixXd& fit = sector.fit();
     here.fit.setZero(static_cast<Eigen::Index>(coordinates()) * count, static_cast<Eigen::Index>(here.unknowns.size()));
-    for_each_vertex([&](Eigen::Index i, const Coordinates::Block& block) {
+    for (const int i : sector.fit_support()) {
+      const Coordinates::Block& block = blocks_[cap.net[i]];
       for (int k = 0; k < block.dimension; ++k) {
-        auto column = here.fit.col(place(here.unknowns, block.first) + k);
+        const int unknown = place(here.unknowns, block.first) + k;
+        here.fitted[unknown] = true;
+        auto column = here.fit.col(unknown);
         for (int c = 0; c < coordinates(); ++c) column.segment(c * count, count) += block.basis(c, k) * fit.col(i);
       }
-    });
+    }
   }
 }
 
-/// These orbits have entries with one another.
-void PatchAssembly::add_neighbours(std::vector<int> met) {
+/// The orbits with unknowns, rising.
+std::vector<int> PatchAssembly::orbits_at(const int* vertices, std::size_t count) const {
+  std::vector<int> met;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (vertices[i] >= 0 && orbit_of_[vertices[i]] >= 0) met.push_back(orbit_of_[vertices[i]]);
+  }
   sort_out(met);
-  for (std::size_t i = 0; i < met.size(); ++i) {
-    auto& neighbours = orbits_[met[i]].neighbours;
-    neighbours.insert(neighbours.end(), met.begin() + static_cast<std::ptrdiff_t>(i), met.end());
+  return met;
+}
+
+/// Each of some orbits has entries with each of the others.
+void PatchAssembly::add_neighbours(const std::vector<int>& some, const std::vector<int>& others) {
+  for (const int orbit : some) {
+    auto& neighbours = orbits_[orbit].neighbours;
+    neighbours.insert(neighbours.end(), std::lower_bound(others.begin(), others.end(), orbit), others.end());
     if (neighbours.size() > 4096) sort_out(neighbours);
   }
 }
 
 void PatchAssembly::build_pattern() {
-  const auto add = [&](const int* vertices, int count) {
-    std::vector<int> met;
-    for (int i = 0; i < count; ++i) {
-      if (vertices[i] >= 0 && orbit_of_[vertices[i]] >= 0) met.push_back(orbit_of_[vertices[i]]);
-    }
-    add_neighbours(std::move(met));
-  };
   for (const PatchSet& patches : layout_.sets()) {
     for (int p = 0; p < patches.count(); ++p) {
-      add(&patches.points[static_cast<std::size_t>(patches.columns) * p], net_count(patches));
+      const std::vector<int> met = orbits_at(&patches.points[static_cast<std::size_t>(patches.columns) * p],
+                                             static_cast<std::size_t>(net_count(patches)));
+      add_neighbours(met, met);
     }
   }
   for (const Cap& cap : layout_.caps()) {
-    if (coefficient_count(cap.shape) > 0) add(cap.net.data(), static_cast<int>(cap.net.size()));
+    std::vector<int> fitted;
+    for (const int i : cap_sector(cap.valence, cap.shape).fit_support()) fitted.push_back(cap.net[i]);
+    const std::vector<int> deciding = orbits_at(fitted.data(), fitted.size());
+    if (deciding.empty()) continue;
+    const std::vector<int> all = orbits_at(cap.net.data(), cap.net.size());
+    add_neighbours(deciding, all);
+    add_neighbours(all, deciding);
   }
 
   outer_.push_back(0);
@@ -291,12 +303,13 @@ void PatchAssembly::add_scalar(int set, int patch, const Eigen::MatrixXd& block,
 
 void PatchAssembly::eliminate(PatchSums& sums) const {
   for (std::size_t c = 0; c < eliminations_.size(); ++c) {
-    const auto& [unknowns, fit] = eliminations_[c];
+    const auto& [unknowns, fitted, fit] = eliminations_[c];
     PatchSums::CapSums& waiting = sums.caps[c];
     const Eigen::MatrixXd half = fit.transpose() * (waiting.mixed + 0.5 * waiting.own * fit);
     for (std::size_t j = 0; j < unknowns.size(); ++j) {
       int at = outer_[unknowns[j]];
       for (std::size_t i = j; i < unknowns.size(); ++i) {
+        if (!fitted[i] && !fitted[j]) continue;
         while (inner_[at] != unknowns[i]) ++at;
         const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
         sums.values[at] += half(row, column) + half(column, row);

@@ -76,14 +76,16 @@ class PatchAssembly {
     std::vector<int> neighbours;  ///< orbits >= this one, rising
     std::vector<int> rows;        ///< where each neighbour's rows begin, counted from the column's first entry
   };
-  /// A cap's coefficients as a function of the unknowns.
+  /// A cap's coefficients as a function of its net's unknowns, of which only some decide them.
   struct Elimination {
     std::vector<int> unknowns;  ///< rising
+    std::vector<bool> fitted;   ///< whether the coefficients depend on each
     Eigen::MatrixXd fit;        ///< coefficients x unknowns
   };
   void build(std::vector<Coordinates::Block> blocks);
   void build_eliminations();
-  void add_neighbours(std::vector<int> met);
+  std::vector<int> orbits_at(const int* vertices, std::size_t count) const;
+  void add_neighbours(const std::vector<int>& some, const std::vector<int>& others);
   void build_pattern();
   void find_rows();
   /// Of which the unknowns of a vertex are combinations: 1 where the matrix is scalar.

@@ -14,7 +14,7 @@
 
 namespace umbilic {
 
-/// A regular face (valence 4, kBare, cell 0), or the face (i, j) = (cell % 2, cell / 2) of a cap's sector.
+/// A regular face (valence 4, kBare, cell 0), or a face of a cap's sector.
 struct PatchKind {
   int valence = 4;
   CapShape shape = CapShape::kBare;

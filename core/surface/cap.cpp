@@ -4,6 +4,7 @@
 #include "surface/cap.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -20,12 +21,11 @@ namespace {
 constexpr int kFitPoints = 12;
 constexpr int kFitGrading = 2;
 
-int degree(CapShape shape) { return shape == CapShape::kTwoRing ? 4 : 3; }
-
-/// Samples on a face where the blend of `shape` varies; none where it does not.
+/// Samples on a face that Q is fitted over; none on the others.
 std::vector<Sample> fit_samples(CapShape shape, int cell) {
   if (shape == CapShape::kOneRing) return graded_rule(kFitPoints, kFitGrading);
-  return cell == 0 ? std::vector<Sample>() : tensor_rule(kFitPoints);
+  const bool in_second_ring = std::max(cell % rings(shape), cell / rings(shape)) == 1;
+  return in_second_ring ? tensor_rule(kFitPoints) : std::vector<Sample>();
 }
 
 /// The place of x^(k-l) y^l among the monomials, by rising degree k.
@@ -33,9 +33,10 @@ int monomial(int k, int l) { return k * (k + 1) / 2 + l; }
 
 }  // namespace
 
-CapSector::CapSector(int valence, CapShape shape) : net_(valence), shape_(shape) {
+CapSector::CapSector(int valence, CapShape shape) : net_(valence, std::max(2, rings(shape))), shape_(shape) {
   if (coefficient_count(shape) == 0) return;
   const Eigen::Matrix<double, Eigen::Dynamic, 2> characteristic = net_.characteristic_net();
+  characteristic_.resize(cell_count(shape));
   for (int cell = 0; cell < cell_count(shape); ++cell) {
     const std::vector<int>& support = net_.support(cell);
     characteristic_[cell].resize(static_cast<Eigen::Index>(support.size()), 2);
@@ -51,8 +52,12 @@ Derivatives CapSector::blend(int cell, double u, double v) const {
   switch (shape_) {
     case CapShape::kBare: return Derivatives::Zero();
     case CapShape::kFlat: return tensor_blend(paper_blend, u, v, 1);
-    case CapShape::kOneRing: return tensor_blend(smoothstep_blend, u, v, 1);
-    case CapShape::kTwoRing: return tensor_blend(smoothstep_blend, cell % 2 + u, cell / 2 + v, 2);
+    case CapShape::kOneRing:
+    case CapShape::kTwoRing:
+    case CapShape::kFourRing: {
+      const int i = cell % rings(shape_), j = cell / rings(shape_);
+      return tensor_blend(smoothstep_blend, i + u, j + v, rings(shape_));
+    }
   }
   return Derivatives::Zero();
 }
@@ -180,6 +185,9 @@ void CapSector::build_fit() {
   for (Eigen::MatrixXd& values : polynomials) lower.solveInPlace(values);
   const NormalEquations second = equations(turns);
   fit_ = lower.transpose().solve(Eigen::MatrixXd(second.gram.llt().solve(second.moments)));
+  for (int i = 0; i < fit_.cols(); ++i) {
+    if (!fit_.col(i).isZero(0)) fit_support_.push_back(i);
+  }
 }
 
 const CapSector& cap_sector(int valence, CapShape shape) {

@@ -7,9 +7,14 @@
 /// S       limit surface, RingNet::basis
 /// b       blend (eq. 8 for `kFlat`)
 /// Q       plane or polynomial that replaces S at the extraordinary vertex
+///
+/// A smooth cap takes as many rings as there is room for. Beyond its R rings S alone follows the surface, and in ring k
+/// around an extraordinary vertex splines of mesh size h can give the curvature's gradient to O(kappa / (k^2 h)) only,
+/// since their sectors meet at the wrong angle. Its square sums up to O(kappa^2 / R^2): what that adds to an energy of
+/// third order does not vanish with h. MVS_cross of a sphere from the cube's cage is 2.6 at level 4 with two rings and
+/// 1.2 with four.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "surface/ring_net.h"
@@ -18,21 +23,37 @@ namespace umbilic {
 
 /// What covers an extraordinary vertex, once it is known how much room there is.
 enum class CapShape {
-  kBare,     ///< no cap: Q = S
-  kFlat,     ///< one ring; Q = S projected on the limit tangent plane
-  kOneRing,  ///< one ring; Q of degree 3 in the characteristic map
-  kTwoRing,  ///< two rings; Q of degree 4 in the characteristic map
+  kBare,      ///< no cap: Q = S
+  kFlat,      ///< one ring; Q = S projected on the limit tangent plane
+  kOneRing,   ///< one ring; Q of degree 3 in the characteristic map
+  kTwoRing,   ///< two rings; Q of degree 4
+  kFourRing,  ///< four rings; Q of degree 5
 };
 
-/// Faces of a sector that the cap changes: its own, and for two rings the three behind it.
-constexpr int cell_count(CapShape shape) { return shape == CapShape::kTwoRing ? 4 : 1; }
+/// Rings of faces that the cap changes.
+constexpr int rings(CapShape shape) { return shape == CapShape::kFourRing ? 4 : shape == CapShape::kTwoRing ? 2 : 1; }
+
+/// Faces of a sector that the cap changes; cell c is the face (c % rings, c / rings).
+constexpr int cell_count(CapShape shape) { return rings(shape) * rings(shape); }
 
 /// The rings of control points that decide the cap.
-constexpr int control_rings(CapShape shape) { return shape == CapShape::kTwoRing ? 3 : 2; }
+constexpr int control_rings(CapShape shape) { return rings(shape) + 1; }
 
-/// Polynomial coefficients of Q per sector; 0 where Q is no polynomial.
+/// Of Q in the characteristic map; 0 where Q is no such polynomial.
+constexpr int degree(CapShape shape) {
+  switch (shape) {
+    case CapShape::kBare:
+    case CapShape::kFlat: return 0;
+    case CapShape::kOneRing: return 3;
+    case CapShape::kTwoRing: return 4;
+    case CapShape::kFourRing: return 5;
+  }
+  return 0;
+}
+
+/// Polynomial coefficients of Q per sector.
 constexpr int coefficient_count(CapShape shape) {
-  return shape == CapShape::kTwoRing ? 15 : shape == CapShape::kOneRing ? 10 : 0;
+  return degree(shape) == 0 ? 0 : (degree(shape) + 1) * (degree(shape) + 2) / 2;
 }
 
 /// Everything of a cap that depends only on the valence and the shape.
@@ -52,8 +73,11 @@ class CapSector {
   DerivativeRows flattening(double u, double v) const;
 
   /// The coefficients of Q in the sector's own coordinates as a linear function of the net, coefficients x net size:
-  /// the weighted least-squares fit to S where b varies (second ring; for one ring the whole of it), weight |grad b|^2.
+  /// the weighted least-squares fit to S over the second ring (for one ring over that), weight |grad b|^2. Farther out
+  /// S can make up for Q, since it has control points that Q has not.
   const Eigen::MatrixXd& fit() const { return fit_; }
+  /// The columns of `fit` that are not 0, rising.
+  const std::vector<int>& fit_support() const { return fit_support_; }
 
   /// All sectors see one polynomial: the coefficients in the coordinates of a sector as a linear function of those in
   /// sector 0's, coefficients x coefficients.
@@ -67,9 +91,10 @@ class CapSector {
 
   RingNet net_;
   CapShape shape_;
-  std::array<Eigen::Matrix<double, Eigen::Dynamic, 2>, 4> characteristic_;  ///< on the support of each face
+  std::vector<Eigen::Matrix<double, Eigen::Dynamic, 2>> characteristic_;  ///< on the net's support of each face
   std::vector<Eigen::MatrixXd> turns_;
   Eigen::MatrixXd fit_;
+  std::vector<int> fit_support_;
 };
 
 /// The sector of a valence and shape, made once per process.

@@ -119,14 +119,14 @@ PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& fac
       const PatchKind kind{here.valence, here.shape, cell};
       const PatchColumns columns = patch_columns(kind);
       for (int sector = 0; sector < here.valence; ++sector) {
-        const int h = sector_cell(mesh, spoke[sector], cell % 2, cell / 2);
+        const int h = sector_cell(mesh, spoke[sector], cell % rings(here.shape), cell / rings(here.shape));
         capped[mesh.face(h)] = true;
         const int multiplicity = representatives.take(mesh.face(h));
         if (multiplicity == 0) continue;
         needed = true;
         std::vector<int> points;
         for (const int i : columns.net) {
-          points.push_back(here.net[i == 0 ? 0 : 1 + (i - 1 + 12 * sector) % (net.size() - 1)]);
+          points.push_back(here.net[net.turned(i, sector)]);
           assert(points.back() >= 0);
         }
         for (int i = 0; i < columns.coefficients; ++i) {
@@ -157,18 +157,22 @@ std::vector<Cap> PatchLayout::find_caps(const PolygonMesh& mesh) const {
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.is_extraordinary(v)) extraordinary.push_back(v);
   }
-  std::vector<int> covered(mesh.face_count(), 0);
-  for (const int v : extraordinary) {
-    for (const int f : faces_around(mesh, v, 2)) ++covered[f];
+  const CapShape least[] = {CapShape::kBare, CapShape::kFlat, CapShape::kOneRing};
+  std::vector<CapShape> shapes(mesh.vertex_count(), least[static_cast<int>(cap_)]);
+  for (const CapShape wider : {CapShape::kTwoRing, CapShape::kFourRing}) {
+    if (cap_ != CapKind::kSmooth) break;
+    std::vector<int> covered(mesh.face_count(), 0);
+    for (const int v : extraordinary) {
+      for (const int f : faces_around(mesh, v, rings(wider))) ++covered[f];
+    }
+    for (const int v : extraordinary) {
+      const std::vector<int> faces = faces_around(mesh, v, rings(wider));
+      if (std::all_of(faces.begin(), faces.end(), [&](int f) { return covered[f] == 1; })) shapes[v] = wider;
+    }
   }
   std::vector<Cap> caps;
   for (const int v : extraordinary) {
-    CapShape shape = cap_ == CapKind::kNone ? CapShape::kBare : CapShape::kFlat;
-    if (cap_ == CapKind::kSmooth) {
-      const std::vector<int> faces = faces_around(mesh, v, 2);
-      const bool room = std::all_of(faces.begin(), faces.end(), [&](int f) { return covered[f] == 1; });
-      shape = room ? CapShape::kTwoRing : CapShape::kOneRing;
-    }
+    const CapShape shape = shapes[v];
     const int valence = mesh.valence(v);
     caps.push_back({v, valence, shape, gather_net(mesh, v, cap_sector(valence, shape).net(), control_rings(shape)), 0});
   }
@@ -188,7 +192,8 @@ void PatchLayout::add_patch(PatchKind kind, int halfedge, int cap, const std::ve
 namespace {
 
 /// Of a cap's polynomial, in the coordinates of sector 0.
-using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 15, 3>;
+using Coefficients =
+    Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, coefficient_count(CapShape::kFourRing), 3>;
 
 }  // namespace
 
@@ -207,9 +212,7 @@ void PatchLayout::extend(const Points& control, Points& points) const {
     if (count == 0) continue;
     const CapSector& sector = cap_sector(cap.valence, cap.shape);
     Coefficients coefficients = Coefficients::Zero(count, 3);
-    for (int i = 0; i < sector.fit().cols(); ++i) {
-      if (cap.net[i] >= 0) coefficients.noalias() += sector.fit().col(i) * control.row(cap.net[i]);
-    }
+    for (const int i : sector.fit_support()) coefficients.noalias() += sector.fit().col(i) * control.row(cap.net[i]);
     for (int j = 0; j < cap.valence; ++j) {
       points.middleRows(cap.first_coefficient + j * count, count) = sector.turn(j).lazyProduct(coefficients);
     }
@@ -227,8 +230,8 @@ void PatchLayout::pull_back(Points& gradient) const {
       const auto here = gradient.middleRows(cap.first_coefficient + j * count, count);
       coefficients += sector.turn(j).transpose().lazyProduct(here);
     }
-    for (int i = 0; i < sector.fit().cols(); ++i) {
-      if (cap.net[i] >= 0) gradient.row(cap.net[i]) += sector.fit().col(i).transpose().lazyProduct(coefficients);
+    for (const int i : sector.fit_support()) {
+      gradient.row(cap.net[i]) += sector.fit().col(i).transpose().lazyProduct(coefficients);
     }
   }
 }
@@ -242,8 +245,8 @@ SparseMatrix PatchLayout::extension() const {
     const CapSector& sector = cap_sector(cap.valence, cap.shape);
     for (int j = 0; j < cap.valence; ++j) {
       const Eigen::MatrixXd fit = sector.turn(j) * sector.fit();
-      for (int i = 0; i < fit.cols(); ++i) {
-        for (int k = 0; k < count && cap.net[i] >= 0; ++k) {
+      for (const int i : sector.fit_support()) {
+        for (int k = 0; k < count; ++k) {
           entries.emplace_back(cap.first_coefficient + j * count + k, cap.net[i], fit(k, i));
         }
       }

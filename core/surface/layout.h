@@ -37,7 +37,8 @@ struct PatchSet {
 
 class PatchLayout {
  public:
-  /// `mesh` is evaluable (mesh/hierarchy.h). Smooth caps take one ring where two would overlap.
+  /// `mesh` is evaluable (mesh/hierarchy.h). Smooth caps take four rings, or two, or one, such that those of all
+  /// extraordinary vertices would not overlap.
   PatchLayout(const PolygonMesh& mesh, CapKind cap);
   /// One patch of each orbit of faces, which stands for the whole orbit; only the caps that these patches need.
   PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& face_orbits);

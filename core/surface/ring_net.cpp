@@ -13,8 +13,6 @@
 namespace umbilic {
 namespace {
 
-constexpr int kPerSector = RingNet::kRings * (RingNet::kRings + 1);
-
 /// Powers of the step that are kept: as many as graded rules mostly need.
 constexpr int kKeptRefinements = 5;
 
@@ -25,8 +23,8 @@ int place(const std::vector<int>& rising, int value) {
 
 }  // namespace
 
-RingNet::RingNet(int valence) : valence_(valence), step_(12 * valence + 1, 12 * valence + 1) {
-  assert(valence >= 3);
+RingNet::RingNet(int valence, int rings) : valence_(valence), rings_(rings), step_(size(), size()) {
+  assert(valence >= 3 && rings >= 2);
   build_step();
   build_limit_tangents();
   build_refinements();
@@ -36,9 +34,14 @@ int RingNet::index(int sector, int a, int b) const {
   if (b < 0) return index(sector - 1, -b, a);
   if (a < 0) return index(sector + 1, b, -a);
   if (a == 0) return b == 0 ? 0 : index(sector + 1, b, 0);
-  assert(a <= kRings && b <= kRings);
-  const int wrapped = (sector % valence_ + valence_) % valence_;
-  return 1 + wrapped * kPerSector + (a - 1) * (kRings + 1) + b;
+  assert(a <= control_rings() && b <= control_rings());
+  const int wrapped = (sector % valence_ + valence_) % valence_, per_spoke = control_rings() + 1;
+  return 1 + (wrapped * control_rings() + a - 1) * per_spoke + b;
+}
+
+int RingNet::turned(int i, int sector) const {
+  const int others = size() - 1;
+  return i == 0 ? 0 : 1 + (i - 1 + sector * (others / valence_)) % others;
 }
 
 void RingNet::build_step() {
@@ -55,8 +58,8 @@ void RingNet::build_step() {
                       : std::vector<std::pair<int, double>>{{a / 2, 4 / 8.}, {a / 2 + 1, 4 / 8.}};
   };
   for (int j = 0; j < valence_; ++j) {
-    for (int a = 1; a <= kRings; ++a) {
-      for (int b = 0; b <= kRings; ++b) {
+    for (int a = 1; a <= control_rings(); ++a) {
+      for (int b = 0; b <= control_rings(); ++b) {
         for (const auto& [p, along_u] : masks(a)) {
           for (const auto& [q, along_v] : masks(b)) {
             entries.emplace_back(index(j, a, b), index(j, p, q), along_u * along_v);
@@ -69,16 +72,20 @@ void RingNet::build_step() {
 }
 
 void RingNet::build_refinements() {
-  std::array<std::array<int, 16>, 4> points{};
-  for (int cell = 1; cell < 4; ++cell) {
-    for (int i = 0; i < 16; ++i) points[cell][i] = index(0, cell % 2 + i % 4 - 1, cell / 2 + i / 4 - 1);
+  const int cells = rings_ * rings_;
+  std::vector<std::array<int, 16>> points(cells);
+  support_.resize(cells);
+  grids_.resize(cells);
+  for (int cell = 1; cell < cells; ++cell) {
+    for (int i = 0; i < 16; ++i) points[cell][i] = index(0, cell % rings_ + i % 4 - 1, cell / rings_ + i / 4 - 1);
     support_[cell].assign(points[cell].begin(), points[cell].end());
     std::sort(support_[cell].begin(), support_[cell].end());
     for (int i = 0; i < 16; ++i) grids_[cell][i] = place(support_[cell], points[cell][i]);
   }
-  // A step takes the control points of the cells 1 to 3 from those that decide cell 0, and these from one another.
+  // A step takes the control points of the cells next to cell 0 from those that decide it, and these from one another.
+  const std::array<int, 3> next{1, rings_, rings_ + 1};
   std::vector<int>& near = support_[0];
-  for (int cell = 1; cell < 4; ++cell) {
+  for (const int cell : next) {
     for (const int row : points[cell]) {
       for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(step_, row); entry; ++entry) {
         near.push_back(static_cast<int>(entry.index()));
@@ -98,23 +105,24 @@ void RingNet::build_refinements() {
   };
   step_near_ = rows_of(near);
   refined_.resize(kKeptRefinements);
-  for (int cell = 1; cell < 4; ++cell) {
-    refined_[0][cell] = rows_of(points[cell]);
-    for (int n = 1; n < kKeptRefinements; ++n) refined_[n][cell] = refined_[n - 1][cell] * step_near_;
+  for (std::size_t k = 0; k < next.size(); ++k) {
+    refined_[0][k] = rows_of(points[next[k]]);
+    for (int n = 1; n < kKeptRefinements; ++n) refined_[n][k] = refined_[n - 1][k] * step_near_;
   }
 }
 
 DerivativeRows RingNet::face_basis(int cell, double u, double v) const {
   assert(u >= 0 && v >= 0 && std::max(u, v) <= 1 && (cell > 0 || std::max(u, v) > 0));
-  int steps = 0;
+  int steps = 0, next = 0;
   if (cell == 0) {
     for (; std::max(u, v) <= 1; ++steps) {
       u *= 2;
       v *= 2;
     }
-    cell = std::min(static_cast<int>(u), 1) + 2 * std::min(static_cast<int>(v), 1);
-    u -= cell % 2;
-    v -= cell / 2;
+    const int i = std::min(static_cast<int>(u), 1), j = std::min(static_cast<int>(v), 1);
+    next = i + 2 * j - 1;
+    u -= i;
+    v -= j;
   }
   const Eigen::Matrix4d along_u = cubic_bspline(u), along_v = cubic_bspline(v);
   if (steps == 0) {
@@ -128,7 +136,7 @@ DerivativeRows RingNet::face_basis(int cell, double u, double v) const {
   }
   // The control points along v, then along u, as functions of the support.
   const int kept = std::min(steps, kKeptRefinements);
-  const Rows& points = refined_[kept - 1][cell];
+  const Rows& points = refined_[kept - 1][next];
   const Eigen::Index count = points.cols();
   Eigen::Matrix<double, kDerivativeCount, Eigen::Dynamic, Eigen::RowMajor> rows(kDerivativeCount, count);
   Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::RowMajor> along(4, count);
@@ -148,7 +156,8 @@ DerivativeRows RingNet::face_basis(int cell, double u, double v) const {
 }
 
 DerivativeRows RingNet::basis(double u, double v) const {
-  const int i = std::min(static_cast<int>(u), 1), j = std::min(static_cast<int>(v), 1), cell = i + 2 * j;
+  const int i = std::min(static_cast<int>(u), rings_ - 1), j = std::min(static_cast<int>(v), rings_ - 1);
+  const int cell = i + rings_ * j;
   const DerivativeRows near = face_basis(cell, u - i, v - j);
   DerivativeRows rows = DerivativeRows::Zero(kDerivativeCount, size());
   for (Eigen::Index c = 0; c < near.cols(); ++c) rows.col(support_[cell][c]) = near.col(c);
@@ -188,8 +197,8 @@ Eigen::Matrix<double, Eigen::Dynamic, 2> RingNet::characteristic_net() const {
   Eigen::Matrix<double, Eigen::Dynamic, 2> net(size(), 2);
   net.row(0).setZero();
   for (int j = 0; j < valence_; ++j) {
-    for (int a = 1; a <= kRings; ++a) {
-      for (int b = 0; b <= kRings; ++b) {
+    for (int a = 1; a <= control_rings(); ++a) {
+      for (int b = 0; b <= control_rings(); ++b) {
         net.row(index(j, a, b)) << a * std::cos(j * angle) + b * std::cos((j + 1) * angle),
             a * std::sin(j * angle) + b * std::sin((j + 1) * angle);
       }

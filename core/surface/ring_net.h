@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The three rings of control points around an extraordinary vertex, and the limit surface over its two rings of faces.
+/// The rings of control points around an extraordinary vertex, and the limit surface over its rings of faces, one
+/// fewer.
 ///
 /// Sector j of N lies between the spokes j and j + 1. Its grid point (a, b) is a steps along spoke j and b steps along
 /// spoke j + 1, and its face corners (0,0), (1,0), (1,1), (0,1) run counterclockwise. Sector coordinates (u, v) agree
@@ -17,20 +18,23 @@ namespace umbilic {
 
 class RingNet {
  public:
-  static constexpr int kRings = 3;
-
-  explicit RingNet(int valence);
+  /// `rings` >= 2 of faces.
+  explicit RingNet(int valence, int rings = 2);
 
   int valence() const { return valence_; }
-  int size() const { return 12 * valence_ + 1; }
+  int rings() const { return rings_; }
+  int control_rings() const { return rings_ + 1; }
+  int size() const { return valence_ * control_rings() * (control_rings() + 1) + 1; }
 
   /// The control point (a, b) of a sector; either a or b may be negative and then lies in the next or previous sector.
   int index(int sector, int a, int b) const;
+  /// The control point that stands to `sector` as point i to sector 0.
+  int turned(int i, int sector) const;
 
   /// One Catmull-Clark step of the net onto the same rings of the refined net, size x size.
   const Eigen::SparseMatrix<double, Eigen::RowMajor>& step() const { return step_; }
 
-  /// The control points that decide the limit surface over the face (cell % 2, cell / 2) of sector 0, rising.
+  /// The control points that decide the limit surface over the face (cell % rings, cell / rings) of sector 0, rising.
   const std::vector<int>& support(int cell) const { return support_[cell]; }
 
   /// Derivatives in (u, v) of the limit surface's basis functions at a point of a face, (u, v) in [0, 1]^2 and in cell
@@ -38,7 +42,7 @@ class RingNet {
   /// matrix power not diagonalized; derivatives of order 3 lose a factor 8 in absolute accuracy with every halving of
   /// the distance.
   DerivativeRows face_basis(int cell, double u, double v) const;
-  /// The same at a point of sector 0, (u, v) in [0, 2]^2 without (0, 0), over all control points; 10 x size.
+  /// The same at a point of sector 0, (u, v) in [0, rings]^2 without (0, 0), over all control points; 10 x size.
   DerivativeRows basis(double u, double v) const;
 
   /// Weights of the limit position of the extraordinary vertex; 1 x size.
@@ -60,13 +64,14 @@ class RingNet {
   void build_limit_tangents();
   void build_refinements();
 
-  int valence_;
+  int valence_, rings_;
   Eigen::SparseMatrix<double, Eigen::RowMajor> step_;
   Eigen::Matrix<double, 2, Eigen::Dynamic> limit_tangents_;
-  std::array<std::vector<int>, 4> support_;
-  std::array<std::array<int, 16>, 4> grids_{};  ///< of cells 1 to 3: where the 4 x 4 control points, u fastest, stand
-  /// Of the cells 1 to 3 of the net after 1, 2, … steps: their 4 x 4 control points by the support of cell 0.
-  std::vector<std::array<Rows, 4>> refined_;
+  std::vector<std::vector<int>> support_;
+  std::vector<std::array<int, 16>> grids_;  ///< of all cells but 0: where the 4 x 4 control points, u fastest, stand
+  /// Of the cells (1,0), (0,1), (1,1) of the net after 1, 2, … steps: their 4 x 4 control points by the support of
+  /// cell 0.
+  std::vector<std::array<Rows, 3>> refined_;
   Rows step_near_;  ///< the step on the support of cell 0
 };
 

@@ -79,7 +79,7 @@ export const caps = [
   {
     id: 'smooth',
     name: 'Smooth',
-    meaning: 'Blends in a polynomial over two rings around each extraordinary vertex. Energies converge.',
+    meaning: 'Blends in a polynomial over up to four rings around each extraordinary vertex. Energies converge.',
   },
   {
     id: 'flat',

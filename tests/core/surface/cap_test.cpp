@@ -113,14 +113,14 @@ TEST(Cap, tends_to_the_polynomial_through_order_3_at_its_centre) {
   for (const CapShape shape : kPolynomialShapes) {
     for (const int valence : {3, 5, 8, 16}) {
       const CapSector& cap = cap_sector(valence, shape);
-      const int size = cap.net().size(), degree = shape == CapShape::kTwoRing ? 4 : 3;
+      const int size = cap.net().size();
       double last[4] = {};
       for (const double e : {1e-2, 1e-3}) {
         const double u = e, v = 0.7 * e;
         const DerivativeRows basis = sector_basis(cap, u, v);
         DerivativeRows difference = basis;  // X - Q, as a function of control points and coefficients
         int column = size;
-        for (int k = 0; k <= degree; ++k) {
+        for (int k = 0; k <= degree(shape); ++k) {
           for (int l = 0; l <= k; ++l) difference.col(column++) -= monomial(cap, k - l, l, u, v);
         }
         ASSERT_EQ(column, basis.cols());

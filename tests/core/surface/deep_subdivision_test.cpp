@@ -47,25 +47,28 @@ TEST_P(LimitSurface, equals_deep_subdivision_close_to_the_extraordinary_vertex) 
 
 INSTANTIATE_TEST_SUITE_P(Valence, LimitSurface, testing::Range(3, 13));
 
-TEST(RingNet, over_two_rings_equals_deep_subdivision) {
-  // The net of a two-ring cap as the layout gathers it, each sector, all four cells.
+class RingNetOver : public testing::TestWithParam<CapShape> {};
+
+TEST_P(RingNetOver, its_rings_equals_deep_subdivision) {
+  // The net of a cap as the layout gathers it, each sector, all cells.
+  const int steps = GetParam() == CapShape::kTwoRing ? 2 : 3;
   for (const int valence : {3, 5, 8}) {
-    const Refined mesh = rough(trapezohedron(valence), 2, 0.05, 9);
+    const Refined mesh = rough(trapezohedron(valence), steps, 0.05, 9);
     const PatchLayout layout(mesh.mesh, CapKind::kSmooth);
     const DeepSubdivision deep(mesh.mesh, mesh.control);
     for (const PatchSet& set : layout.sets()) {
       if (set.kind.regular()) continue;
-      ASSERT_EQ(set.kind.shape, CapShape::kTwoRing);
+      ASSERT_EQ(set.kind.shape, GetParam());
       for (int p = 0; p < set.count(); ++p) {
         const Cap& cap = layout.caps()[set.caps[p]];
         const RingNet& net = cap_sector(cap.valence, cap.shape).net();
         const int sector = p % cap.valence;  // patches of a cap stand in the order of its sectors
         Points local(net.size(), 3);
         for (int i = 0; i < net.size(); ++i) {
-          local.row(i) = mesh.control.row(cap.net[i == 0 ? 0 : 1 + (i - 1 + 12 * sector) % (net.size() - 1)]);
+          local.row(i) = mesh.control.row(cap.net[net.turned(i, sector)]);
         }
         for (const auto& [u, v] : {std::pair{0.3, 0.6}, {0.8, 0.1}, {0.45, 0.95}}) {
-          const SurfaceJet jet = net.basis(set.kind.cell % 2 + u, set.kind.cell / 2 + v) * local;
+          const SurfaceJet jet = net.basis(set.kind.cell % net.rings() + u, set.kind.cell / net.rings() + v) * local;
           const SurfaceJet expected = deep.jet(set.halfedges[p], u, v);
           for (int order = 0; order < 4; ++order) {
             EXPECT_LT(relative_difference(jet, expected, order), 1e-12)  // few steps, little loss
@@ -76,6 +79,8 @@ TEST(RingNet, over_two_rings_equals_deep_subdivision) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Shape, RingNetOver, testing::Values(CapShape::kTwoRing, CapShape::kFourRing));
 
 TEST(DeepSubdivision, is_the_bspline_itself_where_the_mesh_is_regular) {
   // x = the grid coordinate is reproduced: a check of the second implementation on a 6 x 6 torus, away from its seam.

@@ -45,10 +45,12 @@ TEST(PatchLayout, a_patch_at_a_cap_starts_at_the_extraordinary_vertex) {
   }
 }
 
-TEST(PatchLayout, smooth_caps_take_two_rings_where_extraordinary_vertices_are_4_edges_apart_and_one_before) {
+TEST(PatchLayout, smooth_caps_take_as_many_rings_as_do_not_overlap_up_to_four) {
   for (const Cage& cage : {cube(), trapezohedron(7)}) {
-    for (const auto& [steps, shape] :
-         {std::pair{1, CapShape::kOneRing}, {2, CapShape::kTwoRing}, {3, CapShape::kTwoRing}}) {
+    for (const auto& [steps, shape] : {std::pair{1, CapShape::kOneRing},
+                                       {2, CapShape::kTwoRing},
+                                       {3, CapShape::kFourRing},
+                                       {4, CapShape::kFourRing}}) {
       const PatchLayout layout(refined(cage, steps).mesh, CapKind::kSmooth);
       EXPECT_FALSE(layout.caps().empty());
       for (const Cap& cap : layout.caps()) EXPECT_EQ(cap.shape, shape) << "level " << steps;
@@ -61,34 +63,43 @@ TEST(PatchLayout, flat_and_bare_caps_have_no_coefficients) {
   for (const CapKind cap : {CapKind::kNone, CapKind::kFlat}) {
     EXPECT_EQ(PatchLayout(mesh, cap).point_count(), mesh.vertex_count());
   }
-  EXPECT_EQ(PatchLayout(mesh, CapKind::kSmooth).point_count(), mesh.vertex_count() + 8 * 3 * 15);
+  EXPECT_EQ(PatchLayout(mesh, CapKind::kSmooth).point_count(),
+            mesh.vertex_count() + 8 * 3 * coefficient_count(CapShape::kTwoRing));
 }
 
-TEST(PatchLayout, extends_control_points_by_the_fit_of_each_sector) {
-  const Refined mesh = rough(trapezohedron(5), 2, 0.1, 2);
-  const PatchLayout layout(mesh.mesh, CapKind::kSmooth);
-  const Points points = layout.extend(mesh.control);
-  EXPECT_EQ(points.topRows(layout.control_count()), mesh.control);
+/// Expects the points of a layout to be the fits of what each sector sees.
+void expect_fits(const PatchLayout& layout, const Points& control) {
+  const Points points = layout.extend(control);
+  EXPECT_EQ(points.topRows(layout.control_count()), control);
   for (const Cap& cap : layout.caps()) {
     const CapSector& sector = cap_sector(cap.valence, cap.shape);
     for (int j = 0; j < cap.valence; ++j) {
       Points net(sector.net().size(), 3);
-      net.row(0) = mesh.control.row(cap.net[0]);
-      for (int a = 1; a <= RingNet::kRings; ++a) {
-        for (int b = 0; b <= RingNet::kRings; ++b) {
+      net.row(0) = control.row(cap.net[0]);
+      for (int a = 1; a <= sector.net().control_rings(); ++a) {
+        for (int b = 0; b <= sector.net().control_rings(); ++b) {
           for (int k = 0; k < cap.valence; ++k) {  // sector k as seen from sector j
-            net.row(sector.net().index(k, a, b)) = mesh.control.row(cap.net[sector.net().index(j + k, a, b)]);
+            net.row(sector.net().index(k, a, b)) = control.row(cap.net[sector.net().index(j + k, a, b)]);
           }
         }
       }
       const Points expected = sector.fit() * net;
-      EXPECT_LT((points.middleRows(cap.first_coefficient + 15 * j, 15) - expected).norm(), 1e-12 * expected.norm());
+      const auto count = expected.rows();
+      const Points found = points.middleRows(cap.first_coefficient + count * j, count);
+      EXPECT_LT((found - expected).norm(), 1e-12 * expected.norm());
     }
   }
 }
 
+TEST(PatchLayout, extends_control_points_by_the_fit_of_each_sector) {
+  for (const int steps : {2, 3}) {
+    const Refined mesh = rough(trapezohedron(5), steps, 0.1, 2);
+    expect_fits(PatchLayout(mesh.mesh, CapKind::kSmooth), mesh.control);
+  }
+}
+
 TEST(PatchLayout, pull_back_is_the_transpose_of_extend) {
-  for (const int steps : {1, 2}) {
+  for (const int steps : {1, 2, 3}) {
     const Refined mesh = rough(trapezohedron(5), steps, 0.1, 2);
     const PatchLayout layout(mesh.mesh, CapKind::kSmooth);
     Random random(11);

@@ -21,8 +21,8 @@ TEST(RingNet, numbers_each_control_point_once) {
     const RingNet net(valence);
     std::set<int> seen{net.index(0, 0, 0)};
     for (int j = 0; j < valence; ++j) {
-      for (int a = 0; a <= RingNet::kRings; ++a) {
-        for (int b = 0; b <= RingNet::kRings; ++b) seen.insert(net.index(j, a, b));
+      for (int a = 0; a <= net.control_rings(); ++a) {
+        for (int b = 0; b <= net.control_rings(); ++b) seen.insert(net.index(j, a, b));
       }
     }
     EXPECT_EQ(static_cast<int>(seen.size()), net.size());
@@ -73,7 +73,7 @@ TEST(RingNet, characteristic_net_has_the_symmetry_of_the_polygon) {
     const Eigen::Matrix<double, Eigen::Dynamic, 2> xy = net.characteristic_net();
     const Eigen::Rotation2Dd rotation(2 * std::acos(-1.0) / valence);
     for (int i = 0; i < net.size(); ++i) {
-      EXPECT_LT((xy.row(turned(net, i, 1)).transpose() - rotation * xy.row(i).transpose()).norm(), 1e-13);
+      EXPECT_LT((xy.row(net.turned(i, 1)).transpose() - rotation * xy.row(i).transpose()).norm(), 1e-13);
     }
   }
 }
@@ -133,8 +133,8 @@ TEST(RingNet, of_valence_4_is_the_bicubic_bspline) {
   const RingNet net(4);
   Eigen::Matrix<double, Eigen::Dynamic, 3> grid(net.size(), 3);
   for (int j = 0; j < 4; ++j) {
-    for (int a = 0; a <= RingNet::kRings; ++a) {
-      for (int b = 0; b <= RingNet::kRings; ++b) {
+    for (int a = 0; a <= net.control_rings(); ++a) {
+      for (int b = 0; b <= net.control_rings(); ++b) {
         double x = a, y = b;
         for (int turn = 0; turn < j; ++turn) x = -std::exchange(y, x);
         grid.row(net.index(j, a, b)) << x, y, x * y;

@@ -60,13 +60,16 @@ TEST(Cap, flattening_is_c2_across_spokes) {
 }
 
 TEST(Cap, is_c2_between_the_faces_of_a_sector) {
-  for (const CapShape shape : {CapShape::kBare, CapShape::kTwoRing}) {
+  for (const CapShape shape : {CapShape::kBare, CapShape::kTwoRing, CapShape::kFourRing}) {
     for (const int valence : {3, 5, 12}) {
       const CapSector& cap = cap_sector(valence, shape);
-      const double before = std::nextafter(1.0, 0.0);
-      for (const double t : {0.2, 0.9, 1.3}) {
-        expect_equal(whole_basis(cap, 0, before, t), whole_basis(cap, 0, 1, t), kUuu);
-        expect_equal(whole_basis(cap, 0, t, before), whole_basis(cap, 0, t, 1), kVvv);
+      for (const double edge : {1.0, 2.0, 3.0}) {
+        if (edge >= (shape == CapShape::kBare ? 2 : rim(shape))) break;
+        const double before = std::nextafter(edge, 0.0);
+        for (const double t : {0.2, 0.9, 1.3}) {
+          expect_equal(whole_basis(cap, 0, before, t), whole_basis(cap, 0, edge, t), kUuu);
+          expect_equal(whole_basis(cap, 0, t, before), whole_basis(cap, 0, t, edge), kVvv);
+        }
       }
     }
   }

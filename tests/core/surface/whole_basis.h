@@ -3,20 +3,17 @@
 /// A cap's surface as a function of the ring net alone, in any sector.
 #pragma once
 
+#include <algorithm>
+
 #include "surface/cap.h"
 
 namespace umbilic::test {
-
-/// Column of the net that stands in `sector` where column i stands in sector 0.
-inline int turned(const RingNet& net, int i, int sector) {
-  return i == 0 ? 0 : 1 + (i - 1 + 12 * sector) % (net.size() - 1);
-}
 
 /// Moves the columns of sector 0 to `sector`.
 template <class Matrix>
 Matrix turned(const RingNet& net, const Matrix& rows, int sector) {
   Matrix result(rows.rows(), rows.cols());
-  for (int i = 0; i < net.size(); ++i) result.col(turned(net, i, sector)) = rows.col(i);
+  for (int i = 0; i < net.size(); ++i) result.col(net.turned(i, sector)) = rows.col(i);
   return result;
 }
 
@@ -26,9 +23,9 @@ struct SectorFace {
   double u, v;
 
   SectorFace(const CapSector& cap, double sector_u, double sector_v) {
-    const bool behind = cap.shape() == CapShape::kBare || cap.shape() == CapShape::kTwoRing;
-    const int i = behind && sector_u >= 1, j = behind && sector_v >= 1;
-    cell = i + 2 * j;
+    const int n = cap.shape() == CapShape::kBare ? 2 : rings(cap.shape());
+    const int i = std::min(static_cast<int>(sector_u), n - 1), j = std::min(static_cast<int>(sector_v), n - 1);
+    cell = i + cap.net().rings() * j;
     u = sector_u - i;
     v = sector_v - j;
   }
@@ -75,10 +72,11 @@ inline double largest(const DerivativeRows& rows, int order) {
   return rows.middleRows(derivative_index(order, 0), order + 1).cwiseAbs().maxCoeff();
 }
 
-inline constexpr CapShape kAllShapes[] = {CapShape::kBare, CapShape::kFlat, CapShape::kOneRing, CapShape::kTwoRing};
-inline constexpr CapShape kPolynomialShapes[] = {CapShape::kOneRing, CapShape::kTwoRing};
+inline constexpr CapShape kAllShapes[] = {CapShape::kBare, CapShape::kFlat, CapShape::kOneRing, CapShape::kTwoRing,
+                                          CapShape::kFourRing};
+inline constexpr CapShape kPolynomialShapes[] = {CapShape::kOneRing, CapShape::kTwoRing, CapShape::kFourRing};
 
 /// How far from the extraordinary vertex the cap's rim is, in sector coordinates.
-inline double rim(CapShape shape) { return shape == CapShape::kTwoRing ? 2 : 1; }
+inline double rim(CapShape shape) { return rings(shape); }
 
 }  // namespace umbilic::test
