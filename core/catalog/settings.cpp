@@ -14,8 +14,9 @@ namespace {
 /// MVS minimizers do not settle: more iterations buy an upper bound that the next level lowers anyway.
 constexpr int kUnsettledIterations = 400;
 
-/// Hub cages of 3-way junctions are evaluable from level 2 on, and a limit takes three levels.
-constexpr int kHubLevels = 4;
+/// Hub cages of 3-way junctions are evaluable from level 2 on, and a limit takes three levels; for functionals of third
+/// order those from the one on whose caps have two rings. At higher genus that takes minutes.
+constexpr int kHubLevels = 4, kThirdOrderHubLevels = 5, kLargestGenusInDetail = 5;
 
 /// Where the energy tends to 0, or along thinner and thinner tori.
 constexpr int kVanishingLevels = 2;
@@ -50,7 +51,8 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
   settings.run.last_level = std::min(levels, last_level);
   if (shape.frame() && principal(functional)) {
     settings.second_family = FrameFamily::kHub;
-    settings.second_last_level = std::min(kHubLevels, last_level);
+    const bool in_detail = third_order(functional.weights) && shape.genus <= kLargestGenusInDetail;
+    settings.second_last_level = std::min(in_detail ? kThirdOrderHubLevels : kHubLevels, last_level);
   }
   return settings;
 }
