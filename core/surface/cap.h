@@ -8,11 +8,11 @@
 /// b       blend (eq. 8 for `kFlat`)
 /// Q       plane or polynomial that replaces S at the extraordinary vertex
 ///
-/// A smooth cap takes as many rings as there is room for. Beyond its R rings S alone follows the surface, and in ring k
-/// around an extraordinary vertex splines of mesh size h can give the curvature's gradient to O(kappa / (k^2 h)) only,
-/// since their sectors meet at the wrong angle. Its square sums up to O(kappa^2 / R^2): what that adds to an energy of
-/// third order does not vanish with h. MVS_cross of a sphere from the cube's cage is 2.6 at level 4 with two rings and
-/// 1.2 with four.
+/// A smooth cap takes four rings where there is room, else two or one. Beyond its R rings S alone follows the surface,
+/// and in ring k around an extraordinary vertex splines of mesh size h can give the curvature's gradient to O(kappa /
+/// (k^2 h)) only, since their sectors meet at the wrong angle. Its square sums up to O(kappa^2 / R^2): what that adds
+/// to an energy of third order does not vanish with h. MVS_cross of a sphere from the cube's cage is 2.6 at level 4
+/// with two rings and 1.2 with four.
 #pragma once
 
 #include <vector>

@@ -78,6 +78,23 @@ std::vector<int> faces_around(const PolygonMesh& mesh, int vertex, int rings) {
   return faces;
 }
 
+/// Of smooth caps: as many rings for each vertex as it has for itself when all have that many.
+std::vector<CapShape> widest_shapes(const PolygonMesh& mesh, const std::vector<int>& extraordinary) {
+  std::vector<CapShape> shapes(extraordinary.size(), CapShape::kOneRing);
+  for (const CapShape wider : {CapShape::kTwoRing, CapShape::kFourRing}) {
+    std::vector<std::vector<int>> faces;
+    std::vector<int> covered(mesh.face_count(), 0);
+    for (const int v : extraordinary) {
+      faces.push_back(faces_around(mesh, v, rings(wider)));
+      for (const int f : faces.back()) ++covered[f];
+    }
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (std::all_of(faces[i].begin(), faces[i].end(), [&](int f) { return covered[f] == 1; })) shapes[i] = wider;
+    }
+  }
+  return shapes;
+}
+
 /// Hands out each orbit once.
 class Representatives {
  public:
@@ -157,23 +174,14 @@ std::vector<Cap> PatchLayout::find_caps(const PolygonMesh& mesh) const {
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.is_extraordinary(v)) extraordinary.push_back(v);
   }
-  const CapShape least[] = {CapShape::kBare, CapShape::kFlat, CapShape::kOneRing};
-  std::vector<CapShape> shapes(mesh.vertex_count(), least[static_cast<int>(cap_)]);
-  for (const CapShape wider : {CapShape::kTwoRing, CapShape::kFourRing}) {
-    if (cap_ != CapKind::kSmooth) break;
-    std::vector<int> covered(mesh.face_count(), 0);
-    for (const int v : extraordinary) {
-      for (const int f : faces_around(mesh, v, rings(wider))) ++covered[f];
-    }
-    for (const int v : extraordinary) {
-      const std::vector<int> faces = faces_around(mesh, v, rings(wider));
-      if (std::all_of(faces.begin(), faces.end(), [&](int f) { return covered[f] == 1; })) shapes[v] = wider;
-    }
-  }
+  const std::vector<CapShape> shapes =
+      cap_ == CapKind::kSmooth
+          ? widest_shapes(mesh, extraordinary)
+          : std::vector<CapShape>(extraordinary.size(), cap_ == CapKind::kNone ? CapShape::kBare : CapShape::kFlat);
   std::vector<Cap> caps;
-  for (const int v : extraordinary) {
-    const CapShape shape = shapes[v];
-    const int valence = mesh.valence(v);
+  for (std::size_t i = 0; i < extraordinary.size(); ++i) {
+    const int v = extraordinary[i], valence = mesh.valence(v);
+    const CapShape shape = shapes[i];
     caps.push_back({v, valence, shape, gather_net(mesh, v, cap_sector(valence, shape).net(), control_rings(shape)), 0});
   }
   return caps;
