@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "driver/report.h"
+#include "problem/report.h"
 
 namespace umbilic {
 

@@ -9,7 +9,7 @@
 #include "catalog/report_json.h"
 #include "cli/arguments.h"
 #include "cli/files.h"
-#include "driver/report.h"
+#include "problem/report.h"
 
 namespace umbilic {
 

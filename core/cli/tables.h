@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/files.h"
-#include "driver/report.h"
+#include "problem/report.h"
 
 namespace umbilic {
 

@@ -16,7 +16,7 @@
 #include "driver/surface.h"
 #include "mesh/hierarchy.h"
 #include "optimize/hessian_assembly.h"
-#include "optimize/sparse_cholesky.h"
+#include "solve/sparse_cholesky.h"
 
 namespace umbilic {
 namespace {

@@ -18,8 +18,8 @@
 #include <memory>
 
 #include "base/result.h"
-#include "driver/report.h"
 #include "energy/functional.h"
+#include "problem/report.h"
 #include "surface/cap_kind.h"
 
 namespace umbilic {

@@ -19,7 +19,7 @@
 
 #include <vector>
 
-#include "driver/report.h"
+#include "problem/report.h"
 
 namespace umbilic {
 

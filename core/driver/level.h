@@ -9,11 +9,11 @@
 #include <numbers>
 #include <optional>
 
-#include "driver/metric_choice.h"
 #include "driver/surface.h"
 #include "driver/surface_objective.h"
-#include "optimize/lbfgs.h"
 #include "optimize/surface_metric.h"
+#include "problem/metric_choice.h"
+#include "solve/lbfgs.h"
 
 namespace umbilic {
 

@@ -11,26 +11,13 @@
 #include "cage/cage.h"
 #include "driver/certificate.h"
 #include "driver/limit_mesh.h"
-#include "driver/metric_choice.h"
-#include "driver/report.h"
 #include "driver/symmetric_cage.h"
-#include "energy/functional.h"
-#include "surface/cap_kind.h"
+#include "problem/options.h"
+#include "problem/report.h"
 
 namespace umbilic {
 
 struct StartingCage;
-
-struct RunOptions {
-  Weights weights{};
-  CapKind cap = CapKind::kSmooth;
-  int first_level = 0;        ///< >= 0, Catmull-Clark steps from the cage to the first mesh whose points are moved
-  int last_level = 2;         ///< >= first_level
-  int max_iterations = 1000;  ///< >= 0, per level
-  double tolerance = 1e-6;    ///< >= 0: see StopReason::kConverged
-  bool symmetry = true;       ///< whether the surface keeps the cage's symmetry
-  MetricChoice metric = MetricChoice::kAutomatic;
-};
 
 /// What a run is about to do; every `step` finishes at most one of these.
 enum class Phase { kPrepare, kMinimize, kReport, kDone };

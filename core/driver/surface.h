@@ -6,10 +6,10 @@
 #include <memory>
 #include <optional>
 
-#include "driver/report.h"
 #include "driver/rules.h"
 #include "energy/surface_energy.h"
 #include "mesh/symmetry.h"
+#include "problem/report.h"
 
 namespace umbilic {
 

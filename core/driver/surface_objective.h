@@ -4,8 +4,8 @@
 #pragma once
 
 #include "energy/surface_energy.h"
-#include "optimize/objective.h"
 #include "optimize/unknowns.h"
+#include "solve/objective.h"
 
 namespace umbilic {
 

@@ -3,10 +3,10 @@
 /// The functional's Hessian, made positive definite by a multiple of the Sobolev product, as the optimizer's metric.
 #pragma once
 
-#include "optimize/fixed_size.h"
 #include "optimize/hessian_assembly.h"
-#include "optimize/sparse_cholesky.h"
 #include "optimize/surface_metric.h"
+#include "solve/fixed_size.h"
+#include "solve/sparse_cholesky.h"
 
 namespace umbilic {
 

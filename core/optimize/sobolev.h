@@ -5,12 +5,12 @@
 
 #include <memory>
 
-#include "optimize/fixed_size.h"
 #include "optimize/patch_assembly.h"
 #include "optimize/sobolev_form.h"
-#include "optimize/sparse_cholesky.h"
 #include "optimize/surface_metric.h"
 #include "optimize/unknowns.h"
+#include "solve/fixed_size.h"
+#include "solve/sparse_cholesky.h"
 
 namespace umbilic {
 

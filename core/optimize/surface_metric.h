@@ -4,7 +4,7 @@
 #pragma once
 
 #include "energy/surface_energy.h"
-#include "optimize/objective.h"
+#include "solve/objective.h"
 
 namespace umbilic {
 

@@ -8,7 +8,7 @@ import { matching } from './tree.js';
 /** @typedef {import('./tree.js').Files} Files */
 
 /** From the top; each layer may include itself and the layers before it. */
-export const layers = ['base', 'cage', 'mesh', 'surface', 'energy', 'optimize', 'driver', 'catalog', 'cli'];
+export const layers = ['base', 'cage', 'mesh', 'surface', 'energy', 'solve', 'optimize', 'problem', 'driver', 'catalog', 'cli'];
 
 /**
  * @param {string} text C++

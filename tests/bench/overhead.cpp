@@ -3,7 +3,7 @@
 /// What L-BFGS itself costs beside the evaluations and the metric, on a quadratic in the identity.
 #include <chrono>
 
-#include "optimize/lbfgs.h"
+#include "solve/lbfgs.h"
 #include "subjects.h"
 
 namespace umbilic {

@@ -7,8 +7,8 @@
 #include "driver/surface.h"
 #include "driver/surface_objective.h"
 #include "mesh/rough_cages.h"
-#include "optimize/lbfgs.h"
 #include "optimize/sobolev.h"
+#include "solve/lbfgs.h"
 
 namespace umbilic::test {
 namespace {

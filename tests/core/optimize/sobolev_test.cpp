@@ -11,8 +11,8 @@
 #include "energy/single_weight.h"
 #include "energy/surface_energy.h"
 #include "mesh/rough_cages.h"
-#include "optimize/identity_metric.h"
-#include "optimize/lbfgs.h"
+#include "solve/identity_metric.h"
+#include "solve/lbfgs.h"
 #include "surface/all_caps.h"
 
 namespace umbilic::test {

@@ -9,7 +9,7 @@
 
 #include "cage/cage.h"
 #include "energy/functional.h"
-#include "optimize/stop_reason.h"
+#include "solve/stop_reason.h"
 
 namespace umbilic {
 

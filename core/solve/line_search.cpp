@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The safeguarded cubic and quadratic steps of Moré & Thuente.
-#include "optimize/line_search.h"
+#include "solve/line_search.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The two-loop recursion, its stop rules, and what happens when a line search fails.
-#include "optimize/lbfgs.h"
+#include "solve/lbfgs.h"
 
 #include <algorithm>
 #include <cassert>

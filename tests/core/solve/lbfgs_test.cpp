@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// L-BFGS on functions whose minima are known, and every reason to stop.
-#include "optimize/lbfgs.h"
+#include "solve/lbfgs.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <functional>
 #include <limits>
 
-#include "optimize/identity_metric.h"
+#include "solve/identity_metric.h"
 
 namespace umbilic::test {
 namespace {

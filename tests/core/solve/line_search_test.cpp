@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The line search on the test functions of Moré & Thuente 1994, section 5, and where functions end.
-#include "optimize/line_search.h"
+#include "solve/line_search.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 
-#include "optimize/line_search.h"
-#include "optimize/objective.h"
-#include "optimize/stop_reason.h"
+#include "solve/line_search.h"
+#include "solve/objective.h"
+#include "solve/stop_reason.h"
 
 namespace umbilic {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The sparse factorization against dense ones, on patterns of many kinds.
-#include "optimize/sparse_cholesky.h"
+#include "solve/sparse_cholesky.h"
 
 #include <gtest/gtest.h>
 

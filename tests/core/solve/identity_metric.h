@@ -3,7 +3,7 @@
 /// The metric that changes nothing.
 #pragma once
 
-#include "optimize/objective.h"
+#include "solve/objective.h"
 
 namespace umbilic::test {
 

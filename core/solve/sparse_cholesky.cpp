@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Eliminates supernodes by dense blocks, children before parents.
-#include "optimize/sparse_cholesky.h"
+#include "solve/sparse_cholesky.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "optimize/elimination_tree.h"
+#include "solve/elimination_tree.h"
 
 namespace umbilic {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Eliminates groups of unknowns symbolically, and merges them into supernodes.
-#include "optimize/elimination_tree.h"
+#include "solve/elimination_tree.h"
 
 #include <Eigen/OrderingMethods>
 #include <algorithm>
