@@ -178,7 +178,13 @@ const char* umbilic_functional_names(void) {
 }
 
 umbilic_status umbilic_cage_read(const char* text, size_t length, umbilic_cage** out) {
-  return attempt([&] { return make_cage(read_cage({text, length})); }, [&](umbilic_cage* cage) { *out = cage; });
+  return attempt(
+      [&] {
+        return read_checked_cage({text, length});
+      },
+      [&](CheckedCage checked) {
+        *out = new umbilic_cage{std::move(checked.cage), std::move(checked.report), {}};
+      });
 }
 
 umbilic_status umbilic_cage_generate(const char* name, int32_t family, double thickness, umbilic_cage** out) {

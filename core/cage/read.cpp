@@ -29,7 +29,7 @@ int line_of(std::string_view text, std::size_t position) {
 
 }  // namespace
 
-Result<Cage> read_cage(std::string_view text) {
+Result<CheckedCage> read_checked_cage(std::string_view text) {
   if (text.size() > kLongestText) return Error{"the file is larger than 2 GB"};
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
   if (text.find_first_not_of(" \t\v\f\r\n") == std::string_view::npos) return Error{"the file is empty"};
@@ -40,9 +40,15 @@ Result<Cage> read_cage(std::string_view text) {
     return Error{fmt::format("line {}: not a text file: it holds a zero byte", line_of(text, zero))};
   }
   if (!file) return file.error();
-  const auto report = validate(file->cage, file->source);
+  auto report = validate(file->cage, file->source);
   if (!report) return report.error();
-  return std::move(file->cage);
+  return CheckedCage{std::move(file->cage), std::move(*report)};
+}
+
+Result<Cage> read_cage(std::string_view text) {
+  auto checked = read_checked_cage(text);
+  if (!checked) return checked.error();
+  return std::move(checked->cage);
 }
 
 }  // namespace umbilic

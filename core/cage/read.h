@@ -9,9 +9,16 @@
 
 namespace umbilic {
 
+struct CheckedCage {
+  Cage cage;
+  CageReport report;  ///< with the repairs that the text needed
+};
+
 /// Reads OFF when the first word is OFF (or COFF, NOFF, STOFF …), OBJ otherwise, and validates. OBJ: `v`, `f` with v,
 /// v/vt, v//vn, v/vt/vn and negative indices, line continuation, comments, groups; everything else that OBJ knows is
 /// ignored. CRLF, CR and a byte-order mark are accepted.
+Result<CheckedCage> read_checked_cage(std::string_view text);
+/// The same without the report.
 Result<Cage> read_cage(std::string_view text);
 
 }  // namespace umbilic

@@ -128,13 +128,9 @@ Result<CageFile> load_cage(const std::string& path) {
   const std::string name = path == "-" ? "standard input" : path;
   const auto text = read_file(path);
   if (!text) return text.error();
-  auto cage = read_cage(*text);
-  if (!cage) return Error{fmt::format("{}: {}", name, cage.error().message)};
-  CageFile file{name, std::move(*cage), {}};
-  const auto report = validate(file.cage);
-  if (!report) return Error{fmt::format("{}: {}", name, report.error().message)};
-  file.report = *report;
-  return file;
+  auto checked = read_checked_cage(*text);
+  if (!checked) return Error{fmt::format("{}: {}", name, checked.error().message)};
+  return CageFile{name, std::move(checked->cage), std::move(checked->report)};
 }
 
 std::optional<Error> check_writable(const std::string& path) {

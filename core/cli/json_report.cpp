@@ -32,6 +32,7 @@ Json json_report(const CageFile& input) {
             {"faces", input.report.faces},
             {"components", components},
             {"genus", input.report.genus},
+            {"repairs", input.report.repairs},
             {"valences", json_histogram(shape.valences)},
             {"face_sizes", json_histogram(shape.face_sizes)},
             {"first_level", shape.first_level ? Json(*shape.first_level) : Json(nullptr)}}}};
@@ -51,6 +52,8 @@ void add_energies(Json& report, const EnergyReport& energies) {
   report["instruction_set"] = std::string(name_of(instruction_set()));
   report["energies"] = json_of(energies);
   report["quadrature_error"] = energies.quadrature_error;
+  Json& rounding = report["input_rounding"] = Json::object();
+  for (int i = 0; i < kFunctionalCount; ++i) rounding[std::string(kFunctionalNames[i])] = energies.input_rounding[i];
 }
 
 void add_levels(Json& report, const std::vector<LevelReport>& levels) { report["levels"] = json_of(levels); }

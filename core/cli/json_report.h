@@ -13,14 +13,14 @@
 
 namespace umbilic {
 
-/// {"version", "input": {"vertices", "edges", "faces", "components", "genus", "valences", "face_sizes",
+/// {"version", "input": {"vertices", "edges", "faces", "components", "genus", "repairs", "valences", "face_sizes",
 /// "first_level"}}; first_level is null when the cage has no surface that can be evaluated.
 Json json_report(const CageFile& input);
 
 /// Adds "functional" or "weights".
 void add_objective(Json& report, const Objective& objective);
 void add_cap(Json& report, CapKind cap);
-/// Adds "energies" and "quadrature_error".
+/// Adds "energies", "quadrature_error" and "input_rounding".
 void add_energies(Json& report, const EnergyReport& energies);
 /// Adds "levels".
 void add_levels(Json& report, const std::vector<LevelReport>& levels);

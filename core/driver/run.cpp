@@ -27,6 +27,7 @@ struct Run::State {
   double level_seconds = 0;
   bool cancelled = false;
   mutable std::optional<EnergyReport> energies;  // of the best surface, while it stays
+  mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
   LevelOptions level_options() const {
     LevelOptions next{options.cap, options.weights, options.max_iterations, options.tolerance, options.metric};
@@ -35,8 +36,28 @@ struct Run::State {
   }
 
   const EnergyReport& report_energies() const {
-    if (!energies) energies = level->surface().report(level->best());
+    if (!energies) {
+      energies = level->surface().report(level->best());
+      written.reset();
+    }
     return *energies;
+  }
+
+  Cage control_mesh() const {
+    const RefinedCage cage = level->best_cage();
+    return to_cage(cage.mesh, cage.placement.back(cage.control));
+  }
+
+  /// Of the surface as it is written.
+  const EnergyReport& written_energies() const {
+    const EnergyReport& exact = report_energies();
+    if (level->surface().placement().is_centred()) return exact;
+    if (!written) {
+      const Result<EvaluationReport> evaluation = evaluate(control_mesh(), options.cap, 0);
+      written = evaluation ? evaluation->energies : exact;
+      written->quadrature_error = exact.quadrature_error;
+    }
+    return *written;
   }
 
   void update_progress() {
@@ -45,7 +66,7 @@ struct Run::State {
     progress.iterations = level->iterations();
     progress.evaluations = level->evaluations();
     progress.energy = level->energy();
-    progress.gradient_norm = level->gradient_norm();
+    progress.gradient_norm = std::ldexp(level->gradient_norm(), -level->surface().placement().exponent);
     progress.predicted_decrease = lbfgs ? lbfgs->predicted_decrease() : std::numeric_limits<double>::quiet_NaN();
     progress.total_evaluations = progress.evaluations;
     for (const LevelReport& ended : levels) {
@@ -157,7 +178,7 @@ void Run::cancel() {
 const Progress& Run::progress() const { return state_->progress; }
 int Run::patches() const { return state_->level->surface().mesh().face_count(); }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
-const EnergyReport& Run::energies() const { return state_->report_energies(); }
+const EnergyReport& Run::energies() const { return state_->written_energies(); }
 
 GroupReport Run::group() const {
   const SymmetryGroup& group = state_->level->surface().symmetry();
@@ -172,19 +193,18 @@ Result<Certificate> Run::certify() const {
                              state_->options.weights, level.quadrature());
 }
 
-Cage Run::control_mesh() const {
-  const RefinedCage cage = state_->level->best_cage();
-  return to_cage(cage.mesh, cage.control);
-}
+Cage Run::control_mesh() const { return state_->control_mesh(); }
 
 Points Run::orbit_points() const {
   const RefinedCage cage = state_->level->best_cage();
-  return Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control);
+  return cage.placement.back(Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control));
 }
 
 LimitMesh Run::limit_mesh(int density) const {
   const Surface& surface = state_->level->surface();
-  return tessellate(surface.mesh(), surface.symmetry(), surface.layout(), state_->level->best(), density);
+  LimitMesh mesh = tessellate(surface.mesh(), surface.symmetry(), surface.layout(), state_->level->best(), density);
+  put_back(mesh, surface.placement());
+  return mesh;
 }
 
 }  // namespace umbilic

@@ -80,7 +80,8 @@ class Run {
   Points orbit_points() const;
 
   /// All energies of the best surface so far by the reporting rule, with the quadrature error. One unit's work, several
-  /// times the cost of an evaluation; cached until the surface changes.
+  /// times the cost of an evaluation; cached until the surface changes. Of a cage that is not about the origin they are
+  /// those of `control_mesh`, whose coordinates are rounded to where they lie; the levels' energies are not.
   const EnergyReport& energies() const;
 
   /// The best surface so far, `density` >= 1 quads along each edge of a patch.

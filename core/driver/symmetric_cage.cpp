@@ -23,6 +23,7 @@ Result<SymmetricCage> symmetric_cage(const Cage& cage, int level, const Points& 
     symmetry = refined(symmetry, mesh);
     mesh = catmull_clark_mesh(mesh);
   }
+  const Placement& placement = prepared->placement;
   const Coordinates coordinates(mesh, symmetry);
   if (orbit_points.rows() != coordinates.orbit_count()) {
     return Error{fmt::format("{} points: expected {}, one for each orbit of vertices at level {}", orbit_points.rows(),
@@ -31,7 +32,9 @@ Result<SymmetricCage> symmetric_cage(const Cage& cage, int level, const Points& 
   for (Eigen::Index i = 0; i < orbit_points.rows(); ++i) {
     if (!orbit_points.row(i).allFinite()) return Error{fmt::format("point {} is not finite", i + 1)};
   }
-  return SymmetricCage{to_cage(mesh, coordinates.control_from_orbits(orbit_points)), std::move(symmetry)};
+  const Points control = coordinates.control_from_orbits(placement.to_unit(orbit_points));
+  symmetry.center = placement.back(symmetry.center);
+  return SymmetricCage{to_cage(mesh, placement.back(control)), std::move(symmetry)};
 }
 
 }  // namespace umbilic

@@ -16,11 +16,16 @@ namespace umbilic {
 struct EnergyReport {
   /// In the order of `Functional`; third-order values include the factor area. NaN where the quantity diverges.
   std::array<double, kFunctionalCount> functionals{};
-  double area = 0;
+  double area = 0;  ///< in the units of the input; infinite or 0 where a double cannot hold it
   double gaussian = 0;  ///< integral of the Gaussian curvature
   /// |objective by the reporting rule - objective by the minimizing rule|, of the run's functional (of bending, where
   /// there is none).
   double quadrature_error = 0;
+  /// In the order of `Functional`: by how much, relatively, each would change if the coordinates of the input were moved
+  /// at random by half a unit in their last places, which is all that is known of what they were rounded from. Zero for
+  /// a cage about the origin (cage/placement.h), where it is no more than other rounding errors; NaN where the quantity
+  /// diverges. See driver/input_rounding.h.
+  std::array<double, kFunctionalCount> input_rounding{};
   bool whole = true;  ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
 };
 
