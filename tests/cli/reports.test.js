@@ -31,6 +31,7 @@ describe('info', () => {
         faces: 24,
         components: [{ genus: 2, vertices: 22, edges: 48, faces: 24 }],
         genus: 2,
+        repairs: [],
         valences: { 4: 18, 6: 4 },
         face_sizes: { 4: 24 },
         first_level: 0,
