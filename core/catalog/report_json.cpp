@@ -13,7 +13,11 @@ Json json_of(const Weights& weights) {
   return result;
 }
 
-Json json_of(const GroupReport& group) { return {{"name", group.name}, {"order", group.order}}; }
+Json json_of(const GroupReport& group) {
+  Json result{{"name", group.name}, {"order", group.order}};
+  if (!group.complete) result["complete"] = false;
+  return result;
+}
 
 Json json_of(const EnergyReport& energies) {
   Json values = Json::object();

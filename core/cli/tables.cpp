@@ -97,7 +97,8 @@ std::string level_table(const std::vector<LevelReport>& levels) {
 }
 
 std::string group_words(const GroupReport& group) {
-  return fmt::format("symmetry {}, order {}", group.name, group.order);
+  return fmt::format("symmetry {}, order {}{}", group.name, group.order,
+                     group.complete ? "" : " (the search was given up: there may be more)");
 }
 
 std::string limit_line(const LimitReport& limit) {

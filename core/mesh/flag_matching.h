@@ -37,8 +37,14 @@ class FlagMatching {
   /// The flags that resemble the base flag within `tolerance`, an absolute length.
   std::vector<Flag> candidates(double tolerance) const;
 
-  /// The symmetry that maps the base flag to `image` and each point to within `tolerance` of its image.
+  /// The symmetry that maps the base flag to `image` and each point to within `tolerance` of its image. None, too,
+  /// where the work runs out on the way.
   std::optional<Symmetry> symmetry(Flag image, double tolerance);
+
+  /// Takes so many half-edges' work off what may be done.
+  void charge(double halfedges) { work_left_ -= halfedges; }
+  /// Whether no work is left, so that a symmetry that is not found may be there all the same.
+  bool exhausted() const { return work_left_ < 0; }
 
  private:
   struct Component {
@@ -57,7 +63,7 @@ class FlagMatching {
   bool extend(int h, Flag image, const Eigen::Matrix3d* isometry, double tolerance, Automorphism& map);
   /// The flags at the image of h, the components that come first first: components that coincide keep their order, so
   /// that products of symmetries are found as well.
-  std::vector<Flag> images_of(int h, const Eigen::Matrix3d& isometry, bool reverses, double tolerance) const;
+  std::vector<Flag> images_of(int h, const Eigen::Matrix3d& isometry, bool reverses, double tolerance);
   /// Extends `map` from the base component to each other, each to the first component in its place.
   bool extend_to_others(const Eigen::Matrix3d& isometry, double tolerance, Automorphism& map);
   /// The orthogonal matrix that maps the points that `map` reaches best to their images. It is unique up to its
@@ -74,6 +80,7 @@ class FlagMatching {
   std::vector<int> by_radius_;  ///< half-edges in the order of their origins' radii
   std::vector<int> queue_;      ///< half-edges that the last extension has reached
   int base_ = -1;
+  double work_left_;
 };
 
 }  // namespace umbilic

@@ -18,6 +18,8 @@ namespace umbilic {
 /// tolerance keep the group.
 inline constexpr double kSymmetryTolerance = 1e-4;
 
+inline constexpr double kSymmetryWork = 1e8, kSymmetryWorkPerHalfedge = 1e3;
+
 /// An isometry of space, x -> center + isometry (x - center), that maps the points of a mesh to one another as `map`
 /// maps its vertices.
 struct Symmetry {
@@ -34,6 +36,7 @@ struct SymmetryGroup {
   /// Each at least doubles the group that those before it generate; empty for C1. Their isometries satisfy the group's
   /// relations to rounding, also where the points have noise.
   std::vector<Symmetry> generators;
+  bool complete = true;  ///< false where the search ran out of work (see find_symmetry), so that there may be more
 };
 
 /// All isometries that map `mesh` with its `points` to itself, within kSymmetryTolerance. The cage may have several
@@ -43,6 +46,10 @@ struct SymmetryGroup {
 /// C1 also stands for cages that determine no finite group, or none that acts without doubt: each component on a line
 /// through the centroid, or points that coincide so that a relabelling moves none of them. A symmetry that turns only
 /// some components inside out, which needs components that enclose no volume, is not found.
+///
+/// The search looks at no more than kSymmetryWork + kSymmetryWorkPerHalfedge (number of half-edges) half-edges, which
+/// equal components in many equal places would otherwise make grow with the third power of their number. Where that
+/// does not suffice the answer is what the symmetries found so far generate, or C1, and not `complete`.
 SymmetryGroup find_symmetry(const PolygonMesh& mesh, const Points& points);
 
 /// The same group acting on catmull_clark(mesh).mesh.

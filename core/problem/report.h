@@ -49,6 +49,7 @@ struct LevelReport {
 struct GroupReport {
   std::string name;  ///< Schoenflies symbol
   int order = 1;
+  bool complete = true;  ///< false where the search was given up, so that the cage may have more symmetry than this
 };
 
 /// What the levels' energies say about their limit.
