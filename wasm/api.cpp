@@ -346,9 +346,8 @@ umbilic_status umbilic_minimizer_control_mesh(const umbilic_minimizer* minimizer
 }
 
 umbilic_status umbilic_minimizer_limit_mesh(const umbilic_minimizer* minimizer, int32_t density, umbilic_mesh** out) {
-  return attempt(
-      [&] { return Result<umbilic_mesh*>(make_limit_mesh(minimizer->run.limit_mesh(std::max(density, 1)))); },
-      [&](umbilic_mesh* m) { *out = m; });
+  return attempt([&] { return minimizer->run.limit_mesh(density); },
+                 [&](LimitMesh mesh) { *out = make_limit_mesh(std::move(mesh)); });
 }
 
 void umbilic_mesh_destroy(umbilic_mesh* mesh) { delete mesh; }

@@ -154,7 +154,8 @@ void umbilic_certificate_report(const umbilic_certificate* certificate, double r
 umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out);
 /** The control mesh; curvatures and normals are empty. */
 umbilic_status umbilic_minimizer_control_mesh(const umbilic_minimizer* minimizer, umbilic_mesh** out);
-/** The limit surface, `density` >= 1 quads along each edge of a patch; edges are empty. */
+/** The limit surface, `density` >= 1 quads along each edge of a patch; edges are empty. Fails where it would take too much
+ * memory, and names the largest density that would not. */
 umbilic_status umbilic_minimizer_limit_mesh(const umbilic_minimizer* minimizer, int32_t density, umbilic_mesh** out);
 
 void umbilic_mesh_destroy(umbilic_mesh* mesh);

@@ -38,6 +38,9 @@ Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels) {
   bending[kBending] = 1;
   const Surface surface(refine(*prepared, steps), cap, bending);
   EvaluationReport report{surface.level(), surface.mesh().face_count(), surface.report(surface.start())};
+  if (std::isnan(report.energies.functionals[kBending])) {
+    return Error{"the surface shrinks to a curve or a point somewhere: it has no energies"};
+  }
   report.energies.input_rounding = input_rounding(*prepared, cage.vertices, surface, report.energies);
   return report;
 }

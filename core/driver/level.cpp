@@ -51,7 +51,7 @@ const IdentityMetric kIdentityMetric;
 MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
   const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
-  const int most = third_order(options.weights) ? 8000 : second_order_most;
+  const int most = third_order(options.weights) ? kMostHessianUnknowns : second_order_most;
   return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
 }
 

@@ -3,6 +3,8 @@
 /// Steps through the levels: prepare, minimize, report, refine.
 #include "driver/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,6 +13,7 @@
 
 #include "driver/extrapolate.h"
 #include "driver/level.h"
+#include "driver/memory.h"
 #include "driver/tessellate.h"
 #include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
@@ -138,6 +141,9 @@ Result<Run> Run::begin(const StartingCage& start, const RunOptions& options) {
   auto state = std::make_unique<State>();
   state->options = options;
   state->required_level = required_level(prepared->mesh).value();
+  if (auto too_large = too_large_a_run(prepared->mesh, state->required_level, prepared->symmetry.order, options)) {
+    return *too_large;
+  }
   const RefinedCage first = refine(std::move(prepared).value(), options.first_level);
   state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
   state->update_progress();
@@ -182,7 +188,7 @@ const EnergyReport& Run::energies() const { return state_->written_energies(); }
 
 GroupReport Run::group() const {
   const SymmetryGroup& group = state_->level->surface().symmetry();
-  return {group.name, group.order};
+  return {group.name, group.order, group.complete};
 }
 
 LimitReport Run::limit() const { return extrapolate(state_->energies_of_levels, third_order(state_->options.weights)); }
@@ -200,8 +206,10 @@ Points Run::orbit_points() const {
   return cage.placement.back(Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control));
 }
 
-LimitMesh Run::limit_mesh(int density) const {
+Result<LimitMesh> Run::limit_mesh(int density) const {
   const Surface& surface = state_->level->surface();
+  if (density < 1) return Error{fmt::format("density {}: expected a number >= 1", density)};
+  if (auto error = too_large_a_mesh(surface.mesh(), density)) return *error;
   LimitMesh mesh = tessellate(surface.mesh(), surface.symmetry(), surface.layout(), state_->level->best(), density);
   put_back(mesh, surface.placement());
   return mesh;

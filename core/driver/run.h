@@ -38,7 +38,8 @@ struct Progress {
 class Run {
  public:
   /// Fails when the cage has a vertex of valence 2 or above 24 (after one step, which turns faces into vertices of
-  /// their size), the weights are unusable, or the refined mesh would have more than 2 million faces.
+  /// their size), the weights are unusable, or the refined mesh would have more than kMaxFaces faces (2 million) or the
+  /// run take more than kMostRunBytes of memory (driver/memory.h).
   static Result<Run> create(const Cage& cage, const RunOptions& options);
   /// The same, without a search for the symmetry.
   static Result<Run> create(const SymmetricCage& cage, const RunOptions& options);
@@ -84,8 +85,9 @@ class Run {
   /// those of `control_mesh`, whose coordinates are rounded to where they lie; the levels' energies are not.
   const EnergyReport& energies() const;
 
-  /// The best surface so far, `density` >= 1 quads along each edge of a patch.
-  LimitMesh limit_mesh(int density) const;
+  /// The best surface so far, `density` >= 1 quads along each edge of a patch. Fails where the mesh would take more
+  /// than kMostMeshBytes (driver/memory.h), and names the largest density that would not.
+  Result<LimitMesh> limit_mesh(int density) const;
 
  private:
   struct State;
@@ -95,7 +97,7 @@ class Run {
 };
 
 /// All energies of the cage's surface after `levels` Catmull-Clark steps (raised when the cage needs more). Fails as
-/// `Run::create`.
+/// `Run::create`, and where a part of the surface is a curve or a point, which has no curvature.
 Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels);
 
 /// Compares the analytic gradient along random directions with central differences of the energy.

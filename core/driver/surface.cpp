@@ -15,6 +15,10 @@
 
 namespace umbilic {
 
+double faces_after(const PolygonMesh& cage, int steps) {
+  return steps == 0 ? cage.face_count() : cage.halfedge_count() * std::pow(4.0, steps - 1);
+}
+
 Result<RefinedCage> prepare(const StartingCage& start, int last_level, bool symmetric) {
   const Placement placement = placement_of(start.cage.vertices);
   RefinedCage result{0, PolygonMesh(start.cage), placement.to_unit(start.cage.vertices), {}, placement};
@@ -22,7 +26,7 @@ Result<RefinedCage> prepare(const StartingCage& start, int last_level, bool symm
   const Result<int> required = required_level(mesh);
   if (!required) return required.error();
   const int steps = std::max(last_level, *required);
-  const double faces = steps == 0 ? mesh.face_count() : mesh.halfedge_count() * std::pow(4.0, steps - 1);
+  const double faces = faces_after(mesh, steps);
   if (faces > kMaxFaces) {
     return Error{fmt::format("level {} would have {:.3g} faces; at most {} are possible", steps, faces, kMaxFaces)};
   }

@@ -25,6 +25,9 @@ struct RefinedCage {
 
 inline constexpr int kMaxFaces = 2'000'000;
 
+/// Of a cage after so many Catmull-Clark steps; a double, which does not overflow.
+double faces_after(const PolygonMesh& cage, int steps);
+
 /// A cage, with its symmetry where that is known, in its own coordinates.
 struct StartingCage {
   const Cage& cage;
