@@ -41,6 +41,7 @@ describe('a run', () => {
       'instruction_set',
       'energies',
       'quadrature_error',
+      'input_rounding',
       'extrapolated',
       'levels',
     ]);

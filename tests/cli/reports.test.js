@@ -76,6 +76,7 @@ describe('evaluate', () => {
       'instruction_set',
       'energies',
       'quadrature_error',
+      'input_rounding',
       'levels',
     ]);
     expect(Object.keys(report.energies)).toEqual(energyNames);
