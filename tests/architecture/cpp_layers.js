@@ -14,7 +14,7 @@ export const layers = ['base', 'cage', 'mesh', 'surface', 'energy', 'solve', 'op
  * @param {string} text C++
  * @returns {{ name: string, quoted: boolean }[]} what it includes
  */
-function includes(text) {
+export function includes(text) {
   return [...text.matchAll(/^[ \t]*#[ \t]*include[ \t]*(<|")([^>"\n]+)[>"]/gm)].map(([, mark, name]) => ({
     name,
     quoted: mark === '"',
@@ -22,7 +22,7 @@ function includes(text) {
 }
 
 /** @param {string} text C++ @returns {string} without comments, strings and characters */
-function codeOf(text) {
+export function codeOf(text) {
   return text.replace(/"(?:\\.|[^"\\\n])*"|'(?:\\[^'\n]+|[^'\\\n])'|\/\/.*|\/\*[\s\S]*?\*\//g, '""');
 }
 
