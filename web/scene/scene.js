@@ -77,6 +77,9 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     },
   });
 
+  /** Where the surface's positions are measured from. @type {Float64Array} */
+  let origin = new Float64Array(3);
+
   rehearse();
 
   function requestRender() {
@@ -88,7 +91,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     const sizes = { positions: 9, normals: 9, curvatures: 6 };
     const arrays = Object.entries(sizes).map(([name, size]) => [name, new Float32Array(size)]);
     const [triangles, edges] = [new Uint32Array(3), new Uint32Array(0)];
-    setSurface(surfaceGeometry, { ...Object.fromEntries(arrays), triangles, edges });
+    setSurface(surfaceGeometry, { ...Object.fromEntries(arrays), centre: origin, triangles, edges });
     surface.visible = true;
     painter.rehearse();
     surface.visible = false;
@@ -114,13 +117,16 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     setSurface(mesh) {
       setSurface(surfaceGeometry, mesh);
       stand.centre(extent(mesh.positions));
+      origin = mesh.centre;
       surface.visible = true;
       requestRender();
     },
 
-    /** @param {core.Mesh} mesh */
+    /** That of the surface which was set last. @param {core.Mesh} mesh */
     setCage(mesh) {
       setEdges(cageGeometry, mesh);
+      const [x, y, z] = mesh.centre.map((value, axis) => value - origin[axis]);
+      cage.group.position.set(x, y, z);
       requestRender();
     },
 
