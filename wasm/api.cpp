@@ -42,7 +42,8 @@ struct umbilic_certificate {
 struct umbilic_mesh {
   Cage cage;        // polygons with full digits; empty for a limit mesh
   LimitMesh limit;  // the same; empty for a control mesh
-  std::vector<float> positions, normals, curvatures;
+  Eigen::RowVector3d centre;
+  std::vector<float> positions, normals, curvatures;  // positions from the centre
   std::vector<uint32_t> triangles, edges;
   int32_t faces = 0, corners = 0;
   std::string obj;
@@ -98,10 +99,16 @@ std::vector<float> to_floats(const Matrix& matrix) {
   return floats;
 }
 
+/// Halved before they are added, so that the sum of two large coordinates does not overflow.
+Eigen::RowVector3d middle_of_box(const Points& points) {
+  return points.colwise().minCoeff() / 2 + points.colwise().maxCoeff() / 2;
+}
+
 /// Fans of triangles, and each edge once.
 umbilic_mesh* make_mesh(Cage cage) {
   auto mesh = std::make_unique<umbilic_mesh>();
-  mesh->positions = to_floats(cage.vertices);
+  mesh->centre = middle_of_box(cage.vertices);
+  mesh->positions = to_floats(Points(cage.vertices.rowwise() - mesh->centre));
   const PolygonMesh connectivity(cage);
   for (int h = 0; h < connectivity.halfedge_count(); ++h) {
     if (h < connectivity.twin(h)) {
@@ -123,7 +130,8 @@ umbilic_mesh* make_mesh(Cage cage) {
 /// Two triangles for each quad; their edges are nobody's concern.
 umbilic_mesh* make_limit_mesh(LimitMesh limit) {
   auto mesh = std::make_unique<umbilic_mesh>();
-  mesh->positions = to_floats(limit.positions);
+  mesh->centre = middle_of_box(limit.positions);
+  mesh->positions = to_floats(Points(limit.positions.rowwise() - mesh->centre));
   mesh->normals = to_floats(limit.normals);
   mesh->curvatures = to_floats(limit.curvatures);
   mesh->triangles.reserve(6 * limit.quads.size());
@@ -358,6 +366,8 @@ const float* umbilic_mesh_normals(const umbilic_mesh* mesh) { return data_or_nul
 const float* umbilic_mesh_curvatures(const umbilic_mesh* mesh) { return data_or_null(mesh->curvatures); }
 const uint32_t* umbilic_mesh_triangles(const umbilic_mesh* mesh) { return data_or_null(mesh->triangles); }
 const uint32_t* umbilic_mesh_edges(const umbilic_mesh* mesh) { return data_or_null(mesh->edges); }
+
+void umbilic_mesh_centre(const umbilic_mesh* mesh, double centre[3]) { std::copy_n(mesh->centre.data(), 3, centre); }
 
 const char* umbilic_mesh_obj(umbilic_mesh* mesh, size_t* length) {
   const LimitMesh& limit = mesh->limit;

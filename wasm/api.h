@@ -161,11 +161,16 @@ void umbilic_mesh_destroy(umbilic_mesh* mesh);
 
 /** counts: vertices, faces, corners, edges, triangles. */
 void umbilic_mesh_counts(const umbilic_mesh* mesh, int32_t counts[5]);
-const float* umbilic_mesh_positions(const umbilic_mesh* mesh);    /* 3 per vertex */
+const float* umbilic_mesh_positions(const umbilic_mesh* mesh);    /* 3 per vertex, from the centre */
 const float* umbilic_mesh_normals(const umbilic_mesh* mesh);      /* 3 per vertex, or null */
 const float* umbilic_mesh_curvatures(const umbilic_mesh* mesh);   /* kappa1 >= kappa2 per vertex, or null */
 const uint32_t* umbilic_mesh_triangles(const umbilic_mesh* mesh); /* 3 per triangle */
 const uint32_t* umbilic_mesh_edges(const umbilic_mesh* mesh);     /* 2 per edge, each edge once; or null */
+/**
+ * centre: the middle of the vertices' bounding box, in the coordinates of the cage. Positions are measured from it, so
+ * that floats keep the digits of a small mesh that lies far from the origin.
+ */
+void umbilic_mesh_centre(const umbilic_mesh* mesh, double centre[3]);
 /** OBJ text with full digits; `length` receives its bytes. */
 const char* umbilic_mesh_obj(umbilic_mesh* mesh, size_t* length);
 

@@ -171,6 +171,7 @@ export function copyMesh(handle) {
   const indices = (pointer, count) =>
     pointer ? core().HEAPU32.slice(pointer >>> 2, (pointer >>> 2) + count) : new Uint32Array(0);
   return {
+    centre: Float64Array.from(doublesFrom(3, (out) => core()._umbilic_mesh_centre(handle, out))),
     positions: floats(core()._umbilic_mesh_positions(handle), 3 * vertices),
     normals: floats(core()._umbilic_mesh_normals(handle), 3 * vertices),
     curvatures: floats(core()._umbilic_mesh_curvatures(handle), 2 * vertices),
