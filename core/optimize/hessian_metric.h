@@ -5,8 +5,8 @@
 
 #include "optimize/hessian_assembly.h"
 #include "optimize/surface_metric.h"
-#include "solve/fixed_size.h"
 #include "solve/sparse_cholesky.h"
+#include "solve/tangent_projection.h"
 
 namespace umbilic {
 
@@ -53,7 +53,7 @@ class HessianMetric : public SurfaceMetric {
   bool assembled_ = false, factoring_ = false, ready_ = false, settled_ = false, rose_ = false;
   double mu_, fall_ = 1;
   Eigen::VectorXd size_gradient_;  ///< a
-  FixedSize fixed_size_;
+  TangentProjection fixed_size_;
 };
 
 }  // namespace umbilic

@@ -9,8 +9,8 @@
 #include "optimize/sobolev_form.h"
 #include "optimize/surface_metric.h"
 #include "optimize/unknowns.h"
-#include "solve/fixed_size.h"
 #include "solve/sparse_cholesky.h"
+#include "solve/tangent_projection.h"
 
 namespace umbilic {
 
@@ -45,7 +45,7 @@ class SobolevMetric : public SurfaceMetric {
   Points control_;
   PatchCursor cursor_;
   PatchSums sums_;
-  FixedSize fixed_size_;
+  TangentProjection fixed_size_;
 };
 
 }  // namespace umbilic

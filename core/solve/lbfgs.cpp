@@ -12,7 +12,7 @@
 namespace umbilic {
 namespace {
 
-/// Digits that an energy, a sum over many samples, can be trusted to.
+/// Relative accuracy that an objective which sums many terms can be trusted to.
 constexpr double kRelativeRoundOff = 1e-13;
 
 /// Fraction of the tolerance below which the quadratic model is believed without the trend.
