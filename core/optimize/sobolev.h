@@ -15,7 +15,8 @@
 namespace umbilic {
 
 /// Assembles the matrix, some patches at a time, and factors it. Where every coordinate is free one scalar matrix
-/// serves all three coordinates. Directions keep the moment of the control points about their centroid.
+/// serves all three coordinates. Directions keep the moment of the control points about their centroid: the
+/// product is not invariant under scaling, as the energy is, and surfaces would grow from step to step.
 class SobolevMetric : public SurfaceMetric {
  public:
   /// `energy` and `unknowns` outlive the metric.

@@ -6,12 +6,10 @@
 #include <cmath>
 
 #include "optimize/covariant.h"
+#include "optimize/metric_rules.h"
 
 namespace umbilic {
 namespace {
-
-/// A metric needs no exact integrals, only that no direction is missed.
-constexpr QuadratureRule kRule{3, 3, 2};
 
 double second_order_weight(const Weights& w) { return w[kBending] + w[kWillmore] / 4; }
 
@@ -30,7 +28,7 @@ Eigen::Matrix<double, kThirdOrderCount, Rows::ColsAtCompileTime> at_sample(const
 }  // namespace
 
 SobolevForm::SobolevForm(const PatchLayout& layout, const Weights& weights)
-    : patches_(layout, [](const PatchKind& kind) { return PatchBasis(shared_basis_table(kind, kRule, 0)); }),
+    : patches_(layout, [](const PatchKind& kind) { return PatchBasis(shared_basis_table(kind, kSobolevRule, 0)); }),
       second_(second_order_weight(weights)),
       third_(third_order_weight(weights)) {}
 
@@ -45,8 +43,8 @@ Eigen::MatrixXd SobolevForm::patch(int set, int patch) {
       patches_.jets({set, patch, 1}, kThirdOrderCount), static_cast<Eigen::Index>(kThirdOrderCount) * table.samples, 3);
   const BasisTable::View values = table.view(0, table.along_normal()),
                          derivatives = table.view(1, table.along_normal());
-  const double length = 10 / std::sqrt(area_);
-  const double mass = 0.01 * (2 * second_ * std::pow(length, 4) + 2 * third_ * area_ * std::pow(length, 6));
+  const double length = kMassWaves / std::sqrt(area_);
+  const double mass = kMassShare * (2 * second_ * std::pow(length, 4) + 2 * third_ * area_ * std::pow(length, 6));
   const int second_rows = second_ > 0 ? 3 : 0, third_rows = third_ > 0 ? 6 : 0,
             per_sample = 1 + second_rows + third_rows;
   Eigen::MatrixXd rows(per_sample * table.distinct, table.columns);

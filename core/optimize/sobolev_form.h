@@ -4,7 +4,7 @@
 ///
 /// A_ij = w2 2 (grad^2 phi_i : grad^2 phi_j) + w3 2 area (grad^3 phi_i : grad^3 phi_j) + mass, integrated over the
 /// surface with covariant derivatives; w2, w3 weigh the functional's parts of second and third order. The mass term
-/// 0.01 (10 / sqrt(area))^(2k) phi_i phi_j removes the kernel. Of `flat` caps the normal part is
+/// 0.01 (10 / sqrt(area))^(2k) phi_i phi_j removes the kernel (metric_rules.h). Of `flat` caps the normal part is
 /// taken, with n frozen.
 #pragma once
 
