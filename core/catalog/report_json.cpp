@@ -50,7 +50,7 @@ Json json_of(const LevelReport& level) {
               {"evaluations", level.evaluations},
               {"seconds", level.seconds},
               {"stop", std::string(name_of(level.stop))},
-              {"metric", std::string(level.metric)},
+              {"metric", std::string(name_of(level.metric))},
               {"metrics", level.metrics},
               {"evaluable", level.evaluable}};
   if (level.quadrature > 0) result["quadrature"] = level.quadrature;

@@ -11,7 +11,7 @@
 #include "cli/files.h"
 #include "cli/version.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -116,4 +116,4 @@ std::optional<Error> CatalogFolder::write() const {
   return write_file((fs::path(path_) / "catalog.json").string(), catalog_.dump(1) + "\n");
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -8,7 +8,7 @@
 
 #include "catalog/catalog_json.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 class CatalogFolder {
  public:
@@ -38,4 +38,4 @@ class CatalogFolder {
   Json catalog_;
 };
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

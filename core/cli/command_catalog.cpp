@@ -20,7 +20,7 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -180,4 +180,4 @@ void add_catalog_command(CLI::App& app, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -84,4 +84,4 @@ void ProgressLine::update(const Run& run) {
   shown_ = true;
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -11,7 +11,7 @@
 
 #include "catalog/runner.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 /// Prints "umbilic: message" to standard error and returns `exit_code`.
 int fail(int exit_code, std::string_view message);
@@ -62,4 +62,4 @@ class CatalogBar {
   std::chrono::steady_clock::time_point next_update_{};
 };
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -5,12 +5,12 @@
  */
 import { readFileSync } from 'node:fs';
 import { beforeAll, expect, test } from '@jest/globals';
-import { Cage, InputError, Minimizer, load } from '../../wasm/umbilic.js';
+import { InputError, Minimizer, load, parseReport } from '../../wasm/umbilic.js';
 import { formatStudioAddress, parseStudioAddress } from '../../web/address/studio.js';
 import { addressOf } from '../../web/state/address.js';
 import { findEntry, showsEntry } from '../../web/state/entry.js';
 import { initialState } from '../../web/state/reduce.js';
-import { optionsOf } from '../../web/state/settings.js';
+import { problemOf } from '../../web/state/settings.js';
 import { createSession } from '../../web/worker/session.js';
 import { after, answered } from './state.js';
 
@@ -26,18 +26,18 @@ const functionals = catalog.functionals.map(({ name }) => name);
 beforeAll(() => load());
 
 /** @param {import('../../web/state/types.js').Opening} opening @returns {Message[]} the session's answers */
-function open({ run, source, settings, levelOffset }) {
+function open({ run, source, settings, start }) {
   /** @type {Message[]} */
   const messages = [];
   /** @type {Array<() => void>} */
   const waiting = [];
   const obey = createSession({
-    core: { Cage, InputError, Minimizer },
+    core: { InputError, Minimizer, parseReport },
     post: (message) => messages.push(message),
     yieldThen: (task) => waiting.push(task),
     now: () => 0,
   });
-  obey({ type: 'open', run, source, options: optionsOf(settings, levelOffset) });
+  obey({ type: 'open', run, problem: problemOf(source, settings, start), look: true });
   for (const task of waiting) task();
   obey({ type: 'detail', run });
   return messages;
@@ -68,7 +68,7 @@ test.each(catalog.shapes.map(({ name }, i) => [name, functionals[i % functionals
     if (measured?.type !== 'measured') throw new Error('nothing is measured');
     for (const [key, value] of Object.entries(entry.energies)) {
       // Native code and WebAssembly add in other orders: 1.5e-10 at most was seen over all entries.
-      const energy = measured.energies[/** @type {keyof import('../../wasm/types.js').Energies} */ (key)];
+      const energy = Number(measured.energies[/** @type {keyof import('../../wasm/types.js').Energies} */ (key)]);
       if (value !== null) expect(Math.abs(energy - value)).toBeLessThanOrEqual(1e-9 * Math.max(1, Math.abs(value)));
     }
   },

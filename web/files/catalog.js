@@ -22,7 +22,7 @@
 
 /** @typedef {Record<FunctionalName | 'area' | 'gaussian', number | null>} EntryEnergies null where a quantity diverges */
 
-/** @typedef {Omit<LevelReport, 'energyReported' | 'seconds' | 'quadrature'> & {energy_reported: number | null, quadrature?: number}} EntryLevel */
+/** @typedef {Omit<LevelReport, 'energy_reported' | 'seconds' | 'quadrature'> & {energy_reported: number | null, quadrature?: number}} EntryLevel */
 
 /** `agrees`: null where one of the two has no error bar. @typedef {{family: string, energy: number | null, error: number | null, agrees: boolean | null, levels: EntryLevel[]}} SecondFamily */
 

@@ -3,12 +3,13 @@
  * @file A minimizer of the catalog as the studio shows it: found by its names, opened as the end of a run that need not be run.
  */
 import { beginOpening, openGenerated } from './opening.js';
+import { settingsFrom } from './settings.js';
 
-/** @import {CapName, Energies, FunctionalName, LevelReport, Limit} from '../../wasm/types.js' */
+/** @import {CapName, Energies, LevelReport, Limit, Options} from '../../wasm/types.js' */
 /** @import {EntryName} from '../address/compare.js' */
 /** @import {Weights} from '../address/weights.js' */
 /** @import {Catalog, CatalogEntry, CatalogSurface} from '../files/catalog.js' */
-/** @import {Action, Settings, State} from './types.js' */
+/** @import {Action, State} from './types.js' */
 
 /** JSON knows no NaN. @param {number | null | undefined} value */
 const orNaN = (value) => value ?? NaN;
@@ -28,34 +29,19 @@ export function findEntry({ shapes, functionals, entries }, { shape, functional 
   return { entry, weights: column.weights };
 }
 
-/**
- * What a run was asked that ends in the entry.
- * @param {Settings} settings
- * @param {CatalogEntry['settings']} used
- * @param {Weights} weights
- * @returns {Settings}
- */
-function settingsOf(settings, used, weights) {
-  const names = /** @type {FunctionalName[]} */ (Object.keys(weights));
-  const none = Object.fromEntries(Object.keys(settings.weights).map((name) => [name, 0]));
-  return {
-    ...settings,
-    ...(names.length === 1
-      ? { functional: names[0] }
-      : { functional: 'blend', weights: /** @type {Settings['weights']} */ ({ ...none, ...weights }) }),
-    cap: /** @type {CapName} */ (used.cap),
-    symmetry: used.symmetry,
-    levels: used.levels,
-    tolerance: used.tolerance,
-    maxIterations: used.max_iterations,
-    origin: 'cage',
-  };
-}
+/** What the run was asked that ends in the entry. @param {CatalogEntry} entry @returns {Options} */
+const optionsOf = ({ settings: { cap, levels, tolerance, max_iterations, symmetry } }) => ({
+  cap: /** @type {CapName} */ (cap),
+  levels,
+  tolerance,
+  max_iterations,
+  symmetry,
+});
 
 /** @param {CatalogEntry} entry @returns {Energies} */
 export function energiesOf({ energies, quadrature_error }) {
   const known = Object.fromEntries(Object.entries(energies).map(([name, value]) => [name, orNaN(value)]));
-  return /** @type {Energies} */ ({ ...known, quadratureError: orNaN(quadrature_error) });
+  return /** @type {Energies} */ ({ ...known, quadrature_error: orNaN(quadrature_error), whole: true });
 }
 
 /** @param {CatalogEntry} entry @returns {LevelReport[]} whose seconds are not known */
@@ -64,7 +50,7 @@ export function levelsOf({ levels }) {
     ...level,
     quadrature,
     energy: orNaN(level.energy),
-    energyReported: orNaN(energy_reported),
+    energy_reported: orNaN(energy_reported),
     seconds: NaN,
   }));
 }
@@ -88,18 +74,13 @@ export function openEntry(state, { name, entry, weights, surface }) {
     ...state,
     wanted: null,
     generator: { name: generator, family, thickness },
-    settings: settingsOf(state.settings, entry.settings, weights),
+    settings: settingsFrom(state.settings, { terms: weights, options: optionsOf(entry) }),
   };
   return beginOpening(prepared, {
-    source: {
-      kind: 'minimizer',
-      ...prepared.generator,
-      level: surface.level,
-      points: Float64Array.from(surface.points),
-    },
+    source: { kind: 'generated', ...prepared.generator },
     purpose: 'entry',
     then: 'hold',
-    levelOffset: surface.level,
+    start: { level: surface.level, points: Float64Array.from(surface.points) },
     entry,
   });
 }

@@ -18,35 +18,36 @@ import { answerRequests } from './requests.js';
 /** The page's way to it; see requests.js. @typedef {(question: SurfaceQuestion) => Promise<string | Mesh>} MakeSurface */
 
 /**
- * @param {Cage} control
+ * @param {Minimizer} minimizer
  * @param {'limit' | 'mesh'} what
  * @param {number} quads
  */
-function limit(control, what, quads) {
-  // The limit surface with its caps is the same under every functional.
-  const minimizer = new Minimizer(control, { weights: { bending: 1 }, levels: [0, 0] });
-  try {
-    const density = densityFor(control.counts.faces, quads);
-    return what === 'limit' ? minimizer.limitObj(density) : minimizer.limitMesh(density);
-  } finally {
-    minimizer.dispose();
-  }
+function limit(minimizer, what, quads) {
+  const density = densityFor(minimizer.controlMesh().edges.length / 4, quads);
+  return what === 'limit' ? minimizer.limitObj(density) : minimizer.limitMesh(density);
 }
 
 /** @param {SurfaceQuestion} question @returns {string | Mesh} */
 function make({ what, cage, surface, quads = SAVED_QUADS }) {
-  const generated = Cage.generate(cage.generator, cage);
-  try {
-    if (what === 'cage') return generated.obj();
-    if (!surface) throw new Error('the entry has no surface');
-    const control = generated.refined(surface.level, surface.points);
-    try {
-      return what === 'control' ? control.obj() : limit(control, what, quads);
-    } finally {
-      control.dispose();
-    }
-  } finally {
+  if (what === 'cage') {
+    const generated = new Cage(cage);
+    const obj = generated.obj();
     generated.dispose();
+    return obj;
+  }
+  if (!surface) throw new Error('the entry has no surface');
+  const start = { level: surface.level, points: Float64Array.from(surface.points) };
+  // The limit surface with its caps is the same under every functional.
+  const minimizer = new Minimizer({
+    cage,
+    terms: { bending: 1 },
+    options: { levels: [surface.level, surface.level] },
+    start,
+  });
+  try {
+    return what === 'control' ? minimizer.controlObj() : limit(minimizer, what, quads);
+  } finally {
+    minimizer.dispose();
   }
 }
 

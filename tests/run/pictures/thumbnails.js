@@ -4,7 +4,7 @@
  * Each surface fills the canvas.
  */
 import { Vector3 } from 'three';
-import { Cage, Minimizer, load } from '../../../wasm/umbilic.js';
+import { Minimizer, load } from '../../../wasm/umbilic.js';
 import { quantityOf, sampleValues } from '../../../web/colour/quantities.js';
 import { robustRange } from '../../../web/colour/range.js';
 import { extent } from '../../../web/scene/geometry.js';
@@ -54,12 +54,16 @@ function normalize(mesh) {
 
 /** @param {CatalogSurface} surface @returns {Mesh} */
 function limitMesh({ cage, level, points }) {
-  const generated = Cage.generate(cage.generator, cage);
-  const control = generated.refined(level, points);
-  const minimizer = new Minimizer(control, { weights: { bending: 1 }, levels: [0, 0] });
-  const density = Math.max(1, Math.min(24, Math.round(Math.sqrt(QUADS / control.counts.faces))));
+  const minimizer = new Minimizer({
+    cage,
+    terms: { bending: 1 },
+    options: { levels: [level, level] },
+    start: { level, points: Float64Array.from(points) },
+  });
+  const faces = minimizer.controlMesh().edges.length / 4;
+  const density = Math.max(1, Math.min(24, Math.round(Math.sqrt(QUADS / faces))));
   const mesh = minimizer.limitMesh(density);
-  for (const part of [minimizer, control, generated]) part.dispose();
+  minimizer.dispose();
   return normalize(mesh);
 }
 
