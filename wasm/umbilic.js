@@ -35,7 +35,7 @@ import {
 
 /**
  * @import {CageInput, CageReport, CertificateReport, Energies, FunctionalName, GeneratedCage, Group, LevelReport, Limit,
- * Mesh, Problem, Progress, Report, SurfaceState, Terms, TorusMinimizer} from './types.js'
+ * Mesh, Problem, Progress, Report, Terms, TorusMinimizer} from './types.js'
  */
 
 export { InputError, load } from './memory.js';
@@ -230,7 +230,7 @@ export class Minimizer {
     return this.#part('energies');
   }
 
-  /** The best surface so far, for a problem's `start`. @returns {SurfaceState & {points: Float64Array}} */
+  /** The best surface so far, for a problem's `start`. @returns {{level: number, points: Float64Array}} */
   get state() {
     return stateOf(this.#alive);
   }

@@ -22,6 +22,8 @@
 
 namespace umbilic::cli {
 
+using namespace catalog;
+
 namespace {
 
 struct CatalogArguments {
@@ -92,7 +94,7 @@ class Session {
     if (!stored) return compare(name, "it is not in the catalog");
     std::string what = difference(*stored, json_of(entry));
     if (what.empty()) {
-      const Result<Json> minimizer = folder_.minimizer(*stored);
+      const Result<std::string> minimizer = folder_.minimizer(*stored);
       what = minimizer ? misfit(*stored, *minimizer) : minimizer.error().message;
     }
     compare(name, what);

@@ -53,7 +53,7 @@ CatalogBar::~CatalogBar() {
   if (shown_) write_error("\r\x1b[K");
 }
 
-void CatalogBar::update(const CatalogProgress& progress) {
+void CatalogBar::update(const catalog::CatalogProgress& progress) {
   if (quiet_) return;
   const auto now = std::chrono::steady_clock::now();
   if (terminal_ ? now < next_update_ : progress.done == told_) return;

@@ -52,7 +52,7 @@ class CatalogBar {
   CatalogBar& operator=(const CatalogBar&) = delete;
 
   /// Cheap enough to call after every unit of work, by one thread at a time.
-  void update(const CatalogProgress& progress);
+  void update(const catalog::CatalogProgress& progress);
 
  private:
   bool quiet_;

@@ -97,10 +97,9 @@ describe('a run', () => {
   test('writes a control mesh that evaluates to the reported energies', () => {
     const evaluated = jsonOf(['evaluate', 'out.obj', '--levels', '0', '--json'], scratch);
     expect(evaluated).toMatchObject({ level: 0, patches: 96 });
-    const { quadrature_error: _, whole, ...energies } = report.energies;
-    expect(evaluated.energies.whole).toBe(whole);
-    for (const [name, value] of Object.entries(energies)) {
-      expect(Math.abs(evaluated.energies[name] / value - 1)).toBeLessThan(1e-12);
+    for (const [name, value] of Object.entries(report.energies)) {
+      if (name === 'whole') expect(evaluated.energies.whole).toBe(value);
+      else if (name !== 'quadrature_error') expect(Math.abs(evaluated.energies[name] / value - 1)).toBeLessThan(1e-12);
     }
   });
 

@@ -79,11 +79,15 @@ export function problemOf(source, settings, start) {
   };
 }
 
+/** Those that there are. @template {object} T @param {T} parameters @returns {Partial<T>} */
+const given = (parameters) =>
+  /** @type {Partial<T>} */ (Object.fromEntries(Object.entries(parameters).filter(([, value]) => value !== undefined)));
+
 /** @param {Exclude<Source, {kind: 'problem'}>} source @returns {CageInput} */
 function cageOf(source) {
   if (source.kind === 'text') return { name: source.name, text: source.text };
-  const { kind: _, name, ...parameters } = source;
-  return { generator: name, ...parameters };
+  const { name, family, thickness, spread, ratio, segments } = source;
+  return { generator: name, ...given({ family, thickness, spread, ratio, segments }) };
 }
 
 /**

@@ -6,7 +6,7 @@
  */
 
 /** @import {CageReport, CertificateReport, Energies, Group, LevelReport, Limit} from '../../wasm/types.js' */
-/** @import {Mesh, Problem, Progress, Report, StopReason, SurfaceState} from '../../wasm/types.js' */
+/** @import {Mesh, Problem, Progress, Report, StopReason} from '../../wasm/types.js' */
 
 /**
  * Begins the run that a problem asks for, or the text of a problem's or a report's file, and shows its surface. Answers
@@ -52,8 +52,9 @@
  * @typedef {{type: 'started', version: string, cages: string[]}} Started
  *
  * `group` is the symmetry that the run keeps. Of a file: `asked` is its problem, complete but for where it starts, and
- * `report` the report that it is.
- * @typedef {{type: 'opened', run: number, cage: CageReport, group: Group, asked?: Problem, report?: Report}} Opened
+ * `report` what came out.
+ * @typedef {{type: 'opened', run: number, cage: CageReport, group: Group, asked?: Problem, report?:
+ *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate'>}} Opened
  *
  * The surface as it is now; `evaluations` over all levels so far; `coarse` where `detail` tells more.
  * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: Mesh, control: Mesh, coarse?: boolean}} Surfaced
@@ -71,7 +72,7 @@
  * @typedef {{type: 'ended', run: number, stop: StopReason, progress: Progress}} Ended
  *
  * The best surface, so that nothing is lost with the worker.
- * @typedef {{type: 'saved', run: number, evaluations: number, state: SurfaceState & {points: Float64Array}}} Saved
+ * @typedef {{type: 'saved', run: number, evaluations: number, state: {level: number, points: Float64Array}}} Saved
  *
  * @typedef {{type: 'exported', run: number, what: Exportable, text: string}} Exported
  *

@@ -83,9 +83,10 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   /** What a file has to say of itself. @param {Problem | string} problem @param {Minimizer} opened */
   function said(problem, opened) {
     if (typeof problem !== 'string') return {};
-    const { start: _, ...asked } = opened.problem;
-    const file = core.parseReport(problem);
-    return { asked, ...(file.umbilic === 'report' && { report: file }) };
+    const { cage, terms, options } = opened.problem;
+    const { umbilic, levels, limit, energies, certificate } = core.parseReport(problem);
+    const report = umbilic === 'report' && { report: { levels, limit, energies, certificate } };
+    return { asked: { cage, terms, options }, ...report };
   }
 
   /** @param {Open} command */
