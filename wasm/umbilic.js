@@ -61,11 +61,11 @@ function count(value, name, least) {
   throw new InputError(`${name} is ${value}, not a whole number of at least ${least}`);
 }
 
-/** Bytes of a file as text. @param {string | Uint8Array} text */
-const decoded = (text) => (typeof text === 'string' ? text : new TextDecoder().decode(text));
-
-/** @param {CageInput} cage @returns {object} with its text as a string */
-const plainCage = (cage) => (cage && 'text' in cage ? { ...cage, text: decoded(cage.text) } : cage);
+/** @param {CageInput} cage @returns {object} the bytes of a file as text */
+function plainCage(cage) {
+  const text = /** @type {{text?: unknown}} */ (cage)?.text;
+  return text instanceof Uint8Array ? { ...cage, text: new TextDecoder().decode(text) } : cage;
+}
 
 /**
  * The text of a problem or a report, and beside it the points to go on from, which need no text.

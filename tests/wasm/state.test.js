@@ -50,7 +50,7 @@ describe('the state of a run', () => {
     const from = (level, these) => () => new Minimizer({ ...problem, start: { level, points: these } });
     expect(from(1, points)).toThrow(InputError);
     expect(from(1, points)).toThrow(/start: \d+ points: expected \d+, one for each orbit of vertices at level 1/);
-    expect(from(0, points.slice(1))).toThrow('start.points: 8 numbers, not three for each point');
+    expect(from(0, points.slice(1))).toThrow('start.points: 17 numbers, not three for each point');
     expect(from(-1, points)).toThrow('start.level: -1 is negative');
     expect(from(0, points.with(4, NaN))).toThrow('point 2 is not finite');
     minimizer.dispose();

@@ -393,7 +393,10 @@ describe('a report', () => {
     for (const source of [text, report]) {
       const again = new Minimizer(source);
       expect(again.progress.level).toBe(2);
-      expect(again.state).toEqual(minimizer.state);
+      // The points of an orbit are made exactly symmetric, to rounding.
+      const { points } = minimizer.state;
+      expect(again.state.points).toHaveLength(points.length);
+      for (const [i, x] of again.state.points.entries()) expect(Math.abs(x - points[i])).toBeLessThan(1e-14);
       again.dispose();
     }
     minimizer.dispose();

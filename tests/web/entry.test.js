@@ -9,7 +9,7 @@ import { findEntry, showsEntry } from '../../web/state/entry.js';
 import { initialState } from '../../web/state/reduce.js';
 import { statusSentence } from '../../web/state/select.js';
 import { defaultSettings, problemOf } from '../../web/state/settings.js';
-import { catalog, surface } from './catalog.js';
+import { catalog, report } from './catalog.js';
 import { after, answered, openedMessages, stepped, surfaceState } from './state.js';
 
 /** @typedef {import('../../web/state/types.js').State} State */
@@ -24,7 +24,7 @@ function loaded(state, shape = 'two-3') {
   const name = state.wanted ?? { shape, functional: 'bending' };
   const found = findEntry(catalog(), name);
   if ('missing' in found) return { type: 'entryMissing', name, message: found.missing };
-  return { type: 'entryLoaded', name, ...found, surface: surface(shape) };
+  return { type: 'entryLoaded', name, ...found, report: report(shape, name.functional) };
 }
 
 /** The page with the catalog's bending minimizer on it. @param {string} [search] */
@@ -43,7 +43,7 @@ describe('an entry of the catalog', () => {
     expect(state.opening).toMatchObject({
       purpose: 'entry',
       then: 'hold',
-      start: { level: 4, points: Float64Array.from(surface().points) },
+      start: { level: 4, points: Float64Array.from(report().surface.points) },
       source: { kind: 'generated', name: 'two-3', family: 'flag', thickness: 1 },
     });
     const { source, settings, start } = /** @type {import('../../web/state/types.js').Opening} */ (state.opening);

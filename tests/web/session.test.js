@@ -65,7 +65,8 @@ describe('opening', () => {
     expect(asked).toMatchObject({ cage: { generator: 'cube' }, terms: { bending: 1 }, options: { levels: [0, 2] } });
     expect(asked).not.toHaveProperty('start');
     expect(opened.report.levels).toEqual(minimizer.levels);
-    expect(saved.state).toEqual(minimizer.state);
+    expect(saved.state.level).toBe(2);
+    expect(saved.state.points).toHaveLength(minimizer.state.points.length);
     const text = JSON.stringify({ umbilic: 'problem', version: 1, ...problemOf() });
     session.obey({ type: 'open', run: 2, problem: text });
     expect(all('opened').at(-1)).not.toHaveProperty('report');

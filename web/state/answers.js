@@ -5,7 +5,7 @@
  */
 import { SAMPLE_SIZE } from '../worker/protocol.js';
 import { whole } from '../words/numbers.js';
-import { afterEntryOpened, openWithout, showsEntry } from './entry.js';
+import { afterEntryOpened, endedWith, openWithout, showsEntry } from './entry.js';
 import { beginOpening, firstGenerator, openGenerated } from './opening.js';
 import { settingsFrom, sourceOf } from './settings.js';
 
@@ -112,9 +112,9 @@ function afterOpened(state, opening, message) {
     const minimizer = state.minimizer && showsEntry(state) ? { ...state.minimizer, run } : state.minimizer;
     return { ...opened, status: state.stop ? 'ended' : 'resting', minimizer };
   }
-  if (opening.entry && source.kind === 'generated') {
+  if (opening.entry && opening.report && source.kind === 'generated') {
     const cage = { source, name: source.name, counts: message.cage };
-    return afterEntryOpened({ ...opened, cage, alert: null }, opening.entry);
+    return afterEntryOpened({ ...opened, cage, alert: null }, opening.entry, opening.report);
   }
   /** @type {State} */
   const fresh = {
@@ -161,16 +161,7 @@ function afterFileOpened(shown, fileName, { cage: counts, asked, report }) {
     opened.generator = { name: source.name, family: source.family, thickness: source.thickness };
   }
   if (!report) return opened;
-  return {
-    ...opened,
-    status: 'ended',
-    stop: report.levels.at(-1)?.stop ?? null,
-    levels: report.levels,
-    limit: report.limit,
-    latest: { energies: report.energies, evaluations: 0 },
-    certificate: report.certificate ?? null,
-    settings: { ...settings, origin: 'surface' },
-  };
+  return { ...endedWith(opened, report), settings: { ...settings, origin: 'surface' } };
 }
 
 /** @param {State} state @param {number} run @param {string} message @returns {State} */

@@ -4,12 +4,11 @@
  */
 
 /** @import {CageReport, CapName, CertificateReport, Energies, FunctionalName} from '../../wasm/types.js' */
-/** @import {GeneratedCage, Group, LevelReport, Limit, Mesh, Progress, StopReason, SurfaceState} from '../../wasm/types.js' */
+/** @import {GeneratedCage, Group, LevelReport, Limit, Mesh, Progress, Report, StopReason, SurfaceState} from '../../wasm/types.js' */
 /** @import {Camera} from '../address/camera.js' */
-/** @import {Weights} from '../address/weights.js' */
 /** @import {EntryName} from '../address/compare.js' */
 /** @import {Shading} from '../colour/quantities.js' */
-/** @import {CatalogEntry, CatalogSurface} from '../files/catalog.js' */
+/** @import {CatalogEntry} from '../files/catalog.js' */
 /** @import {Exportable, Message} from '../worker/protocol.js' */
 /** @import {Loss} from '../worker/client.js' */
 
@@ -48,6 +47,7 @@
  * @property {'hold' | 'run' | 'step'} then
  * @property {SurfaceState | null} start where the run goes on, instead of beginning with the cage
  * @property {CatalogEntry} [entry] that is opened
+ * @property {Report} [report] its
  */
 
 /**
@@ -65,6 +65,8 @@
  * A certificate that the worker is making: how much of it is done, and whether it was asked to abandon it.
  * @typedef {{progress: number, abandoning: boolean}} Certifying
  */
+
+/** What a run has ended in. @typedef {Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate'>} Outcome */
 
 /**
  * A minimizer of the catalog: what a run of these settings ends in, and the number under which it was opened.
@@ -122,7 +124,7 @@
  *   | {type: 'startPressed'} | {type: 'pausePressed'} | {type: 'stepPressed'} | {type: 'cancelPressed'} | {type:
  * 'resetPressed'}
  *   | {type: 'certifyPressed'} | {type: 'certificateCancelPressed'}
- *   | {type: 'entryLoaded', name: EntryName, entry: CatalogEntry, weights: Weights, surface: CatalogSurface}
+ *   | {type: 'entryLoaded', name: EntryName, entry: CatalogEntry, report: Report}
  *   | {type: 'entryMissing', name: EntryName, message: string}
  *   | {type: 'againPressed'}
  *   | {type: 'viewChanged', change: Partial<State['view']>}

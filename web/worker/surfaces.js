@@ -6,13 +6,12 @@ import { Cage, Minimizer, load } from '../../wasm/umbilic.js';
 import { SAVED_QUADS, densityFor } from './density.js';
 import { answerRequests } from './requests.js';
 
-/** @import {Mesh} from '../../wasm/types.js' */
-/** @import {CatalogCage, CatalogSurface} from '../files/catalog.js' */
+/** @import {CageInput, Mesh, Report} from '../../wasm/types.js' */
 
 /**
- * The generated cage, the final control mesh or the limit mesh as OBJ, or the latter's arrays; `surface` is not looked at for the cage.
+ * The generated cage, the final control mesh or the limit mesh as OBJ, or the latter's arrays, of the surface of a report.
  * Limit meshes have about `quads` quads at most.
- * @typedef {{what: 'cage' | 'control' | 'limit' | 'mesh', cage: CatalogCage, surface: CatalogSurface | null, quads?: number}} SurfaceQuestion
+ * @typedef {{what: 'cage' | 'control' | 'limit' | 'mesh', cage?: CageInput, report?: Report | null, quads?: number}} SurfaceQuestion
  */
 
 /** The page's way to it; see requests.js. @typedef {(question: SurfaceQuestion) => Promise<string | Mesh>} MakeSurface */
@@ -28,22 +27,16 @@ function limit(minimizer, what, quads) {
 }
 
 /** @param {SurfaceQuestion} question @returns {string | Mesh} */
-function make({ what, cage, surface, quads = SAVED_QUADS }) {
+function make({ what, cage, report, quads = SAVED_QUADS }) {
   if (what === 'cage') {
+    if (!cage) throw new Error('there is no cage');
     const generated = new Cage(cage);
     const obj = generated.obj();
     generated.dispose();
     return obj;
   }
-  if (!surface) throw new Error('the entry has no surface');
-  const start = { level: surface.level, points: Float64Array.from(surface.points) };
-  // The limit surface with its caps is the same under every functional.
-  const minimizer = new Minimizer({
-    cage,
-    terms: { bending: 1 },
-    options: { levels: [surface.level, surface.level] },
-    start,
-  });
+  if (!report) throw new Error('the entry has no surface');
+  const minimizer = new Minimizer(report);
   try {
     return what === 'control' ? minimizer.controlObj() : limit(minimizer, what, quads);
   } finally {

@@ -10,8 +10,7 @@ import { robustRange } from '../../../web/colour/range.js';
 import { extent } from '../../../web/scene/geometry.js';
 import { createScene } from '../../../web/scene/scene.js';
 
-/** @import {Mesh} from '../../../wasm/types.js' */
-/** @import {CatalogSurface} from '../../../web/files/catalog.js' */
+/** @import {Mesh, Report} from '../../../wasm/types.js' */
 
 const QUADS = 60_000;
 /** Part of the canvas that a surface spans, across or up. */
@@ -52,14 +51,9 @@ function normalize(mesh) {
   return mesh;
 }
 
-/** @param {CatalogSurface} surface @returns {Mesh} */
-function limitMesh({ cage, level, points }) {
-  const minimizer = new Minimizer({
-    cage,
-    terms: { bending: 1 },
-    options: { levels: [level, level] },
-    start: { level, points: Float64Array.from(points) },
-  });
+/** @param {Report} report @returns {Mesh} */
+function limitMesh(report) {
+  const minimizer = new Minimizer(report);
   const faces = minimizer.controlMesh().edges.length / 4;
   const density = Math.max(1, Math.min(24, Math.round(Math.sqrt(QUADS / faces))));
   const mesh = minimizer.limitMesh(density);
@@ -105,11 +99,11 @@ let shape = '';
 
 /** The page's end of `npm run pictures`. */
 const thumbnails = {
-  /** @param {CatalogSurface[]} surfaces of one row */
-  async open(surfaces) {
+  /** @param {string} name of a row @param {Report[]} reports of its entries */
+  async open(name, reports) {
     await load();
-    meshes = surfaces.map(limitMesh);
-    [{ shape }] = surfaces;
+    meshes = reports.map(limitMesh);
+    shape = name;
     const quantity = quantityOf('gaussian');
     if (!quantity) throw new Error('Gaussian curvature is not there');
     const ranges = meshes.map(({ curvatures }) => robustRange(sampleValues(quantity, curvatures), quantity.signed));
