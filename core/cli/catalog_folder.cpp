@@ -11,7 +11,9 @@
 #include "cli/files.h"
 #include "cli/version.h"
 
-namespace umbilic {
+namespace umbilic::cli {
+
+using namespace catalog;
 
 namespace {
 
@@ -95,14 +97,14 @@ bool CatalogFolder::has(const Start& wanted, const EntrySettings& settings) cons
   return stored && stored->at("level") == settings.run.last_level;
 }
 
-Result<Json> CatalogFolder::minimizer(const Json& entry) const {
-  return read_json((fs::path(path_) / entry.at("minimizer").get<std::string>()).string());
+Result<std::string> CatalogFolder::minimizer(const Json& entry) const {
+  return read_file((fs::path(path_) / entry.at("minimizer").get<std::string>()).string());
 }
 
 std::optional<Error> CatalogFolder::keep(const Entry& entry) {
   Json json = json_of(entry);
   const fs::path file = fs::path(path_) / json.at("minimizer").get<std::string>();
-  if (auto error = write_file(file.string(), minimizer_json(entry).dump() + "\n")) return error;
+  if (auto error = write_file(file.string(), minimizer_text(entry, version()))) return error;
   insert(catalog_["entries"], std::move(json));
   return write();
 }
@@ -116,4 +118,4 @@ std::optional<Error> CatalogFolder::write() const {
   return write_file((fs::path(path_) / "catalog.json").string(), catalog_.dump(1) + "\n");
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

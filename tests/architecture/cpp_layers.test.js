@@ -31,7 +31,7 @@ describe('the project', () => {
 
   test('includes no layer below', () => expect(upwardIncludes(tree)).toEqual([]));
   test('has a C API on top of the driver', () => expect(apiIncludes(tree)).toEqual([]));
-  test('keeps streams and files in the command line, and JSON in it and the catalog', () =>
+  test('keeps streams and files in the command line, and the library of JSON in few places', () =>
     expect(hostLibraries(tree)).toEqual([]));
   test('does not depend on the locale', () => expect(localeDependence(tree)).toEqual([]));
 
@@ -98,6 +98,8 @@ describe('the checks fail on', () => {
     const host = (/** @type {string} */ file, /** @type {string} */ name) =>
       hostLibraries(new Map([[file, `#include <${name}>`]]));
     expect(host('core/catalog/a.h', 'nlohmann/json.hpp')).toEqual([]);
+    expect(host('core/problem/json_node.cpp', 'nlohmann/json.hpp')).toEqual([]);
+    expect(host('core/problem/a.h', 'nlohmann/json.hpp')).toHaveLength(1);
     expect(host('core/driver/a.h', 'nlohmann/json.hpp')).toHaveLength(1);
     expect(host('core/catalog/a.h', 'filesystem')).toHaveLength(1);
   });

@@ -96,7 +96,11 @@ describe('a user', () => {
     expect(control.name).toMatch(/^my-frame-mvs_cross-level\d\.obj$/);
     const cage = Cage.read(control.text);
     expect(cage.counts.genus).toBe(3);
-    const minimizer = new Minimizer(cage, { weights: { mvs_cross: 1 }, levels: [0, 0], maxIterations: 0 });
+    const minimizer = new Minimizer({
+      cage: cage.input,
+      terms: { mvs_cross: 1 },
+      options: { levels: [0, 0], max_iterations: 0 },
+    });
     while (!minimizer.step(10));
     // What was saved is the surface whose energies the table shows.
     expect(minimizer.energies.mvs_cross / number(after['MVS with cross terms']) - 1).toBeLessThan(1e-3);
@@ -111,9 +115,9 @@ describe('a user', () => {
 
     const report = await download(page, 'Report');
     expect(JSON.parse(report.text)).toMatchObject({
-      functional: 'mvs_cross',
-      cap: 'smooth',
-      input: { name: 'my frame.obj', genus: 3 },
+      umbilic: 'report',
+      problem: { cage: { name: 'my frame.obj' }, terms: { mvs_cross: 1 }, options: { cap: 'smooth' } },
+      cage: { genus: 3 },
       levels: [{ stop: 'cancelled' }],
     });
 

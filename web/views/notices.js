@@ -43,10 +43,10 @@ export function createDownloadsView(root, dispatch) {
     /** @param {State} state */
     update(state) {
       const [control, limit, report] = buttons;
-      setEnabled(control, state.saved !== null);
       const busy = state.exporting || state.opening || state.certifying || state.status === 'unavailable';
       setEnabled(limit, state.surface !== null && !busy);
-      setEnabled(report, state.latest !== null);
+      setEnabled(control, state.saved !== null && !busy);
+      setEnabled(report, state.latest !== null && !busy);
     },
     dispose: () => listening.abort(),
   };

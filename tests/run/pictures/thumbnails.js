@@ -4,14 +4,13 @@
  * Each surface fills the canvas.
  */
 import { Vector3 } from 'three';
-import { Cage, Minimizer, load } from '../../../wasm/umbilic.js';
+import { Minimizer, load } from '../../../wasm/umbilic.js';
 import { quantityOf, sampleValues } from '../../../web/colour/quantities.js';
 import { robustRange } from '../../../web/colour/range.js';
 import { extent } from '../../../web/scene/geometry.js';
 import { createScene } from '../../../web/scene/scene.js';
 
-/** @import {Mesh} from '../../../wasm/types.js' */
-/** @import {CatalogSurface} from '../../../web/files/catalog.js' */
+/** @import {Mesh, Report} from '../../../wasm/types.js' */
 
 const QUADS = 60_000;
 /** Part of the canvas that a surface spans, across or up. */
@@ -52,14 +51,13 @@ function normalize(mesh) {
   return mesh;
 }
 
-/** @param {CatalogSurface} surface @returns {Mesh} */
-function limitMesh({ cage, level, points }) {
-  const generated = Cage.generate(cage.generator, cage);
-  const control = generated.refined(level, points);
-  const minimizer = new Minimizer(control, { weights: { bending: 1 }, levels: [0, 0] });
-  const density = Math.max(1, Math.min(24, Math.round(Math.sqrt(QUADS / control.counts.faces))));
+/** @param {Report} report @returns {Mesh} */
+function limitMesh(report) {
+  const minimizer = new Minimizer(report);
+  const faces = minimizer.controlMesh().edges.length / 4;
+  const density = Math.max(1, Math.min(24, Math.round(Math.sqrt(QUADS / faces))));
   const mesh = minimizer.limitMesh(density);
-  for (const part of [minimizer, control, generated]) part.dispose();
+  minimizer.dispose();
   return normalize(mesh);
 }
 
@@ -101,11 +99,11 @@ let shape = '';
 
 /** The page's end of `npm run pictures`. */
 const thumbnails = {
-  /** @param {CatalogSurface[]} surfaces of one row */
-  async open(surfaces) {
+  /** @param {string} name of a row @param {Report[]} reports of its entries */
+  async open(name, reports) {
     await load();
-    meshes = surfaces.map(limitMesh);
-    [{ shape }] = surfaces;
+    meshes = reports.map(limitMesh);
+    shape = name;
     const quantity = quantityOf('gaussian');
     if (!quantity) throw new Error('Gaussian curvature is not there');
     const ranges = meshes.map(({ curvatures }) => robustRange(sampleValues(quantity, curvatures), quantity.signed));
