@@ -336,10 +336,11 @@ TEST(Guard, turns_every_exception_into_a_status) {
   EXPECT_EQ(message(), "never");
   EXPECT_EQ(guarded([]() -> umbilic_status { throw 1; }), UMBILIC_INTERNAL);
   EXPECT_EQ(message(), "unknown failure");
+  const std::string words(100'000, 'x');
   g_allocations_left = 0;
-  EXPECT_EQ(api::fail(UMBILIC_BAD_INPUT, std::string_view("words that take more memory than there is")),
-            UMBILIC_BAD_INPUT);
+  EXPECT_EQ(api::fail(UMBILIC_BAD_INPUT, words), UMBILIC_BAD_INPUT);
   g_allocations_left = -1;
+  EXPECT_EQ(message(), "no memory");
 }
 
 TEST(Guard, keeps_a_message_for_each_thread) {
