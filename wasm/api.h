@@ -177,7 +177,7 @@ umbilic_status umbilic_certificate_report(const umbilic_certificate* certificate
 
 /** Arrays of a mesh, which live as long as its handle. Vertices are counted from 0. */
 typedef struct umbilic_mesh_arrays {
-  const float* positions;    /* 3 per vertex */
+  const float* positions;    /* 3 per vertex, from the centre, so that a small mesh far away keeps its digits */
   const float* normals;      /* 3 per vertex; null for control meshes */
   const float* curvatures;   /* kappa1 >= kappa2 per vertex; null for control meshes */
   const uint32_t* triangles; /* 3 per triangle */
@@ -185,6 +185,7 @@ typedef struct umbilic_mesh_arrays {
   size_t vertex_count;
   size_t triangle_count;
   size_t edge_count; /* 0 for limit meshes */
+  double centre[3];  /* the middle of the vertices' bounding box, in the coordinates of the cage */
 } umbilic_mesh_arrays;
 
 umbilic_status umbilic_mesh_view(const umbilic_mesh* mesh, umbilic_mesh_arrays* arrays);

@@ -219,6 +219,7 @@ export function copyMesh(mesh) {
   const indices = (pointer, count) =>
     pointer ? core().HEAPU32.slice(pointer >>> 2, (pointer >>> 2) + count) : new Uint32Array(0);
   return {
+    centre: core().HEAPF64.slice((scratch + 32) >>> 3, (scratch + 56) >>> 3),
     positions: floats(positions, 3 * vertexCount),
     normals: floats(normals, 3 * vertexCount),
     curvatures: floats(curvatures, 2 * vertexCount),

@@ -153,7 +153,8 @@
  * A mesh copied out of the core, fit to be transferred. `normals` and `curvatures` (κ1 ≥ κ2 per vertex, positive
  * where a sphere's are) are empty for control meshes, `edges` for limit meshes.
  * @typedef {object} Mesh
- * @property {Float32Array} positions 3 per vertex
+ * @property {Float64Array} centre 3: the middle of the bounding box, in the cage's coordinates
+ * @property {Float32Array} positions 3 per vertex, from the centre, so that they keep the digits of a small mesh far away
  * @property {Float32Array} normals 3 per vertex
  * @property {Float32Array} curvatures 2 per vertex
  * @property {Uint32Array} triangles 3 per triangle

@@ -18,11 +18,17 @@ std::vector<float> to_floats(const Matrix& matrix) {
   return floats;
 }
 
+/// The centre is halved before it is added, so that the sum of two large coordinates does not overflow.
+void place(const Points& points, DrawableMesh& mesh) {
+  mesh.centre = points.colwise().minCoeff() / 2 + points.colwise().maxCoeff() / 2;
+  mesh.positions = to_floats(Points(points.rowwise() - mesh.centre.transpose()));
+}
+
 }  // namespace
 
 DrawableMesh drawable(const Cage& cage) {
   DrawableMesh mesh;
-  mesh.positions = to_floats(cage.vertices);
+  place(cage.vertices, mesh);
   const PolygonMesh connectivity(cage);
   for (int h = 0; h < connectivity.halfedge_count(); ++h) {
     if (h > connectivity.twin(h)) continue;
@@ -39,7 +45,7 @@ DrawableMesh drawable(const Cage& cage) {
 
 DrawableMesh drawable(const LimitMesh& limit) {
   DrawableMesh mesh;
-  mesh.positions = to_floats(limit.positions);
+  place(limit.positions, mesh);
   mesh.normals = to_floats(limit.normals);
   mesh.curvatures = to_floats(limit.curvatures);
   mesh.triangles.reserve(6 * limit.quads.size());

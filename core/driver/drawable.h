@@ -6,13 +6,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/types.h"
 #include "cage/cage.h"
 #include "driver/limit_mesh.h"
 
 namespace umbilic {
 
 struct DrawableMesh {
-  std::vector<float> positions;          ///< 3 per vertex
+  Vector3 centre = Vector3::Zero();      ///< the middle of the bounding box, in the coordinates of the cage
+  std::vector<float> positions;          ///< 3 per vertex, from the centre: a small mesh far away keeps its digits
   std::vector<float> normals;            ///< 3 per vertex; none for a cage
   std::vector<float> curvatures;         ///< kappa1 >= kappa2 of each vertex; none for a cage
   std::vector<std::uint32_t> triangles;  ///< 3 per triangle

@@ -261,6 +261,33 @@ describe('a mesh', () => {
     minimizer.dispose();
   });
 
+  test('far from the origin keeps its digits: positions are measured from its centre', () => {
+    const offset = [1e6, -3e5, 7e8];
+    const far = cube.replace(/^v (.*)$/gm, (_, point) => {
+      const [x, y, z] = point.split(' ').map(Number);
+      return `v ${x + offset[0]} ${y + offset[1]} ${z + offset[2]}`;
+    });
+    const [here, there] = [cube, far].map((text) => {
+      const cage = Cage.read(text);
+      const minimizer = new Minimizer(cage, { weights: { bending: 1 }, levels: [1, 1] });
+      const meshes = [cage.mesh(), minimizer.controlMesh(), minimizer.limitMesh(4)];
+      for (const disposable of [cage, minimizer]) disposable.dispose();
+      return meshes;
+    });
+    for (const [i, { centre, positions }] of there.entries()) {
+      // Doubles near 7e8 are 1.2e-7 apart, and every weighted mean of points is rounded once or twice; floats there are 64 apart.
+      for (const axis of [0, 1, 2]) {
+        expect(Math.abs(centre[axis] - here[i].centre[axis] - offset[axis])).toBeLessThan(5e-7);
+      }
+      positions.forEach((value, j) => expect(Math.abs(value - here[i].positions[j])).toBeLessThan(1e-6));
+      const [low, high] = [Math.min(...positions), Math.max(...positions)];
+      expect(low).toBeCloseTo(-high, 6);
+    }
+    // The cage as it is read is not rounded at all.
+    expect([...there[0].centre]).toEqual(offset);
+    expect(there[0].positions).toEqual(here[0].positions);
+  });
+
   test('of the control net has its edges once and no curvatures', () => {
     const minimizer = cubeMinimizer({ levels: [2, 2] });
     const mesh = minimizer.controlMesh();

@@ -17,6 +17,7 @@ export const answered = (message) => ({ type: 'answered', message });
 /** @returns {import('../../wasm/types.js').Mesh} */
 export function mesh() {
   return {
+    centre: new Float64Array(3),
     positions: new Float32Array(9),
     normals: new Float32Array(9),
     curvatures: new Float32Array(6),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The alert over the surface and the downloads.
+ * @file The alert below the surface, and the downloads.
  */
 import { element, find, onPress, setEnabled, whenChanged } from './dom.js';
 

@@ -43,10 +43,10 @@ const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('canvas'
 const scene = createScene(canvas, { calm: true, slow: true, rested: () => {} });
 scene.setUp('z');
 
-/** Of unit size, so that curvatures of one row compare. @param {Mesh} mesh */
+/** Of unit size, so that curvatures of one row compare, and where the scene draws it. @param {Mesh} mesh */
 function normalize(mesh) {
-  const { radius } = extent(mesh.positions);
-  mesh.positions.forEach((value, i) => (mesh.positions[i] = value / radius));
+  const { centre, radius } = extent(mesh.positions);
+  mesh.positions.forEach((value, i) => (mesh.positions[i] = (value - centre[i % 3]) / radius));
   mesh.curvatures.forEach((value, i) => (mesh.curvatures[i] = value * radius));
   return mesh;
 }
@@ -118,7 +118,6 @@ const thumbnails = {
     scene.setSurface(meshes[index]);
     const [azimuth, elevation] = views[shape] ?? usualView;
     scene.setCamera({ azimuth, elevation, distance: 1, target: [0, 0, 0] });
-    scene.fit(positions);
     frame(positions);
     scene.requestRender();
   },

@@ -15,6 +15,7 @@ import { catalog, report } from '../catalog.js';
 /** A tetrahedron. */
 function mesh() {
   return {
+    centre: new Float64Array(3),
     positions: Float32Array.from([0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2]),
     normals: new Float32Array(12),
     curvatures: new Float32Array(8).fill(1),
