@@ -10,6 +10,7 @@
 
 #include "cli/files.h"
 #include "cli/version.h"
+#include "problem/text.h"
 
 namespace umbilic::cli {
 
@@ -89,7 +90,9 @@ const Json* CatalogFolder::start(const Start& start) const {
 bool CatalogFolder::has(const CatalogShape& shape, const CatalogFunctional& functional,
                         const EntrySettings& settings) const {
   const Json* stored = entry(shape, functional);
-  return stored && stored->at("settings") == json_of(settings) && minimizer(*stored).ok();
+  if (!stored || stored->at("settings") != json_of(settings)) return false;
+  const Result<std::string> report = minimizer(*stored);
+  return report && parse_report(*report).ok();
 }
 
 bool CatalogFolder::has(const Start& wanted, const EntrySettings& settings) const {

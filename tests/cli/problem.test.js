@@ -84,7 +84,7 @@ describe('a problem', () => {
     [JSON.stringify({ ...two3, version: 2 }), 'version: 2 is not known to this program, which reads versions up to 1'],
     [JSON.stringify({ ...two3, options: { levels: [2, 1] } }), 'options.levels[1]: 1 is below levels[0], 2'],
     [JSON.stringify({ ...two3, termz: {} }), "'termz': unknown; known are umbilic, version, cage, terms"],
-    [JSON.stringify({ ...two3, cage: { text: 'v 0 0 0\nf 1 1' } }), 'line 2: face has 2 vertices'],
+    [JSON.stringify({ ...two3, cage: { text: 'v 0 0 0\nf 1 1' } }), 'line 2: face 1 names vertex 1 twice'],
     [JSON.stringify({ ...two3, cage: { generator: 'two-2' } }), 'there is no cage called two-2'],
   ])('that cannot be read ends with 3 and names the member: %s', (input, words) => {
     const { code, out, err } = umbilic(['optimize', '-'], { input });

@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "wasm/runs.h"
+#include "tests/wasm/runs.h"
 
 namespace umbilic::test {
 namespace {

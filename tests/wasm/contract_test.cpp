@@ -15,9 +15,9 @@
 #include <thread>
 #include <vector>
 
+#include "tests/wasm/runs.h"
 #include "wasm/api.h"
 #include "wasm/guard.h"
-#include "wasm/runs.h"
 
 namespace {
 
@@ -51,8 +51,8 @@ std::string cube_problem() { return problem_text(bending_of("cube", 1, 1), JsonP
 /// Whether a status is one of the enumeration, and a failure has words.
 void expect_an_answer(umbilic_status status) {
   EXPECT_GE(status, UMBILIC_OK);
-  EXPECT_LE(status, UMBILIC_OUT_OF_MEMORY) << message();
-  if (status != UMBILIC_OK) EXPECT_NE(message(), "");
+  EXPECT_LE(status, UMBILIC_BAD_ARGUMENT) << message();
+  EXPECT_TRUE(status == UMBILIC_OK || !message().empty());
 }
 
 /// One of each handle.
@@ -191,8 +191,8 @@ TEST_F(Contract, checks_points_and_their_number) {
 
 TEST_F(Contract, reads_or_refuses_any_text) {
   std::mt19937 random(3);
-  const std::string problem = cube_problem(), cage = R"({"generator": "cube"})", terms = R"({"bending": 1})";
-  const std::string texts[] = {problem, cage, terms, report_text(report_of(begun(bending_of("cube", 1, 1))))};
+  const std::string texts[] = {cube_problem(), R"({"generator": "cube"})", R"({"bending": 1})",
+                               report_text(report_of(begun(bending_of("cube", 1, 1))))};
   const auto try_all = [](const std::string& text) {
     umbilic_cage* a_cage = nullptr;
     umbilic_run* a_run = nullptr;
@@ -336,10 +336,11 @@ TEST(Guard, turns_every_exception_into_a_status) {
   EXPECT_EQ(message(), "never");
   EXPECT_EQ(guarded([]() -> umbilic_status { throw 1; }), UMBILIC_INTERNAL);
   EXPECT_EQ(message(), "unknown failure");
+  const std::string words(100'000, 'x');
   g_allocations_left = 0;
-  EXPECT_EQ(api::fail(UMBILIC_BAD_INPUT, std::string_view("words that take more memory than there is")),
-            UMBILIC_BAD_INPUT);
+  EXPECT_EQ(api::fail(UMBILIC_BAD_INPUT, words), UMBILIC_BAD_INPUT);
   g_allocations_left = -1;
+  EXPECT_EQ(message(), "no memory");
 }
 
 TEST(Guard, keeps_a_message_for_each_thread) {

@@ -269,7 +269,7 @@ describe('a mesh', () => {
     });
     const [here, there] = [cube, far].map((text) => {
       const cage = Cage.read(text);
-      const minimizer = new Minimizer(cage, { weights: { bending: 1 }, levels: [1, 1] });
+      const minimizer = new Minimizer({ cage: cage.input, terms: { bending: 1 }, options: { levels: [1, 1] } });
       const meshes = [cage.mesh(), minimizer.controlMesh(), minimizer.limitMesh(4)];
       for (const disposable of [cage, minimizer]) disposable.dispose();
       return meshes;

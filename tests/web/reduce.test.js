@@ -93,7 +93,7 @@ describe('a file', () => {
     const refused = after(
       before,
       drop('bad.obj'),
-      answered({ type: 'failed', run: 2, kind: 'input', message: 'line 12: face has 2 vertices' }),
+      answered({ type: 'failed', run: 2, kind: 'input', message: 'bad.obj: line 12: face has 2 vertices' }),
     );
     expect(refused.alert).toEqual({ title: 'bad.obj was not opened', message: 'line 12: face has 2 vertices' });
     for (const part of /** @type {const} */ (['surface', 'cage', 'run', 'samples', 'saved', 'status', 'settings'])) {

@@ -164,6 +164,12 @@ function afterFileOpened(shown, fileName, { cage: counts, asked, report }) {
   return { ...endedWith(opened, report), settings: { ...settings, origin: 'surface' } };
 }
 
+/** The core begins with the name of the file as well. @param {string} name @param {string} message */
+function notOpened(name, message) {
+  const title = `${name} was not opened`;
+  return { title, message: message.startsWith(`${name}: `) ? message.slice(name.length + 2) : message };
+}
+
 /** @param {State} state @param {number} run @param {string} message @returns {State} */
 function afterFailed(state, run, message) {
   const { opening } = state;
@@ -177,7 +183,7 @@ function afterFailed(state, run, message) {
   if (opening.purpose === 'entry') return openWithout(closed, message);
   if (opening.purpose === 'cage') {
     /** @type {State} */
-    const told = { ...closed, alert: { title: `${opening.source.name} was not opened`, message } };
+    const told = { ...closed, alert: notOpened(opening.source.name, message) };
     // An address may name a shape that there is not; there is always one to begin with.
     const nothing = !state.cage && opening.source.name !== firstGenerator.name;
     return nothing ? openGenerated({ ...told, status: state.status, generator: firstGenerator }) : told;
