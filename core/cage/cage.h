@@ -21,6 +21,15 @@ struct CageComponent {
   int edges = 0;
   int faces = 0;
   int genus = 0;
+
+  /// Visits each member by name, for the text form of reports; see problem/members.h.
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("vertices", self.vertices, "Number of vertices");
+    visit("edges", self.edges, "Number of edges");
+    visit("faces", self.faces, "Number of faces");
+    visit("genus", self.genus, "Number of tunnels");
+  }
 };
 
 struct CageReport {
@@ -29,6 +38,15 @@ struct CageReport {
   int faces = 0;
   int genus = 0;                          ///< sum over components
   std::vector<CageComponent> components;  ///< in the order of their first face
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("vertices", self.vertices, "Number of vertices");
+    visit("edges", self.edges, "Number of edges");
+    visit("faces", self.faces, "Number of faces");
+    visit("genus", self.genus, "Sum over the components");
+    visit("components", self.components, "In the order of their first face");
+  }
 };
 
 /// Where a cage's elements stand in the text that it was read from, for messages; empty when it was not read.

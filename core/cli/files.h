@@ -9,7 +9,7 @@
 
 #include "cage/cage.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 /// A cage with the name that messages call it by.
 struct CageFile {
@@ -33,4 +33,4 @@ std::optional<Error> write_file(const std::string& path, std::string_view text);
 /// Whether both name the same file, or both are "-"; devices take any number of results.
 bool same_output(const std::string& a, const std::string& b);
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -29,9 +29,8 @@ std::string ratio(double value, double unit, std::string_view unit_name) {
 
 }  // namespace
 
-std::string input_line(const CageFile& input) {
-  const CageReport& report = input.report;
-  std::string text = fmt::format("{}: {}, {}, {}", input.name, plural(report.vertices, "vertex", "vertices"),
+std::string input_line(std::string_view name, const CageReport& report) {
+  std::string text = fmt::format("{}: {}, {}, {}", name, plural(report.vertices, "vertex", "vertices"),
                                  plural(report.edges, "edge", "edges"), plural(report.faces, "face", "faces"));
   if (report.components.size() > 1) text += fmt::format(", {} components", report.components.size());
   return text + fmt::format(", genus {}\n", report.genus);
@@ -67,7 +66,7 @@ std::string level_table(const std::vector<LevelReport>& levels) {
   for (const LevelReport& level : levels) {
     text += fmt::format("  {:>5} {:>8} {:>9} {:>16.10g} {:>10} {:>11} {:>8.2f}  {:<8}  {}\n", level.level,
                         level.patches, level.unknowns, level.energy_reported, level.iterations, level.evaluations,
-                        level.seconds, level.metric, name_of(level.stop));
+                        level.seconds, name_of(level.metric), name_of(level.stop));
   }
   return text;
 }
@@ -103,4 +102,4 @@ std::string certificate_line(const CertificateReport& certificate, const GroupRe
                      certificate.level, certificate.unknowns, certificate.gauge, certificate.tau);
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -80,6 +80,7 @@ struct Run::State {
 
   void end_level() {
     levels.push_back(level->report(report_energies()));
+    progress.ended_levels = static_cast<int>(levels.size());
     const LevelReport& report = levels.back();
     if (report.evaluable) {
       const bool minimized =
@@ -105,19 +106,21 @@ struct Run::State {
 Result<Run> Run::create(const Cage& cage, const RunOptions& options) { return begin({cage, {}}, options); }
 
 Result<Run> Run::create(const SymmetricCage& cage, const RunOptions& options) {
-  return begin({cage.cage, cage.symmetry}, options);
+  return begin({cage.cage, cage.symmetry, cage.level}, options);
 }
 
 Result<Run> Run::begin(const StartingCage& start, const RunOptions& options) {
   Error error;
   if (!in_range(options, error)) return error;
-  Result<RefinedCage> prepared = prepare(start, options.last_level, options.symmetry);
+  const auto steps_to = [&](int level) { return std::max(0, level - start.level); };
+  Result<RefinedCage> prepared = prepare(start, steps_to(options.last_level), options.symmetry);
   if (!prepared) return prepared.error();
+  prepared->level = start.level;
   if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
   auto state = std::make_unique<State>();
   state->options = options;
-  state->required_level = required_level(prepared->mesh).value();
-  const RefinedCage first = refine(std::move(prepared).value(), options.first_level);
+  state->required_level = start.level + required_level(prepared->mesh).value();
+  const RefinedCage first = refine(std::move(prepared).value(), steps_to(options.first_level));
   state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
   state->update_progress();
   return Run(std::move(state));
@@ -181,6 +184,8 @@ Points Run::orbit_points() const {
   const RefinedCage cage = state_->level->best_cage();
   return Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control);
 }
+
+SurfaceState Run::state() const { return {state_->level->number(), orbit_points()}; }
 
 LimitMesh Run::limit_mesh(int density) const {
   const Surface& surface = state_->level->surface();

@@ -23,10 +23,11 @@ struct RefinedCage {
 
 inline constexpr int kMaxFaces = 2'000'000;
 
-/// A cage, with its symmetry where that is known.
+/// A cage, with its symmetry where that is known, so many Catmull-Clark steps from the one that levels count from.
 struct StartingCage {
   const Cage& cage;
   std::optional<SymmetryGroup> symmetry;
+  int level = 0;
 };
 
 /// The cage with its symmetry group (or C1 unless `symmetric`) at level 0; its points are made exactly symmetric. Fails

@@ -24,14 +24,17 @@ Result<SymmetricCage> symmetric_cage(const Cage& cage, int level, const Points& 
     mesh = catmull_clark_mesh(mesh);
   }
   const Coordinates coordinates(mesh, symmetry);
-  if (orbit_points.rows() != coordinates.orbit_count()) {
-    return Error{fmt::format("{} points: expected {}, one for each orbit of vertices at level {}", orbit_points.rows(),
-                             coordinates.orbit_count(), level)};
+  const bool all = orbit_points.rows() == mesh.vertex_count();
+  if (orbit_points.rows() != coordinates.orbit_count() && !all) {
+    return Error{
+        fmt::format("{} points: expected {}, one for each orbit of vertices at level {}, or {}, of all vertices",
+                    orbit_points.rows(), coordinates.orbit_count(), level, mesh.vertex_count())};
   }
   for (Eigen::Index i = 0; i < orbit_points.rows(); ++i) {
     if (!orbit_points.row(i).allFinite()) return Error{fmt::format("point {} is not finite", i + 1)};
   }
-  return SymmetricCage{to_cage(mesh, coordinates.control_from_orbits(orbit_points)), std::move(symmetry)};
+  if (all) return SymmetricCage{to_cage(mesh, orbit_points), std::nullopt, level};
+  return SymmetricCage{to_cage(mesh, coordinates.control_from_orbits(orbit_points)), std::move(symmetry), level};
 }
 
 }  // namespace umbilic

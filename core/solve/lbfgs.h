@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Limited-memory BFGS with an initial metric, driven one energy evaluation at a time.
+/// Limited-memory BFGS with an initial metric, driven one evaluation at a time.
 #pragma once
 
 #include <algorithm>

@@ -11,6 +11,7 @@
 #include "linear_algebra.h"
 #include "mesh/rough_cages.h"
 #include "optimize/dense_assembly.h"
+#include "optimize/metric_rules.h"
 #include "surface/few_points.h"
 
 namespace umbilic::test {
@@ -157,10 +158,10 @@ TEST(HessianMetric, predicts_decreases_unless_the_sobolev_product_outweighs_the_
   const Surface rough = rough_surface(trapezohedron(5), 1, 0.5, 1), smooth = rough_surface(trapezohedron(5), 1, 0, 1);
   HessianMetric metric(rough.layout, rough.unknowns, only(kMvsCross), kFewPoints);
   finish(metric, rough.control);
-  ASSERT_GE(metric.sobolev_share(), kVainShare);
+  ASSERT_GE(metric.sobolev_share(), kUninformativeMu);
   EXPECT_FALSE(metric.predicts());
   for (int i = 0; i < 6; ++i) finish(metric, smooth.control);
-  ASSERT_LT(metric.sobolev_share(), kVainShare);
+  ASSERT_LT(metric.sobolev_share(), kUninformativeMu);
   EXPECT_TRUE(metric.predicts());
 }
 
