@@ -3,9 +3,24 @@
  * \file
  * The C contract of umbilic, the same for the WebAssembly module and the native library.
  *
- * Handles are opaque; every function that can fail returns an umbilic_status and leaves its outputs untouched on
- * failure. The words of the last failure are copied with umbilic_copy_message. Nothing here is thread-safe across calls
- * on one handle. Pointers returned by the getters point into the handle and live until the next call on it.
+ *     umbilic_run* run;
+ *     const char problem[] = "{\"umbilic\": \"problem\", \"version\": 1, \"cage\": {\"generator\": \"two-3\"},"
+ *                            " \"terms\": {\"bending\": 1}}";
+ *     if (umbilic_run_create(problem, strlen(problem), NULL, 0, &run) == UMBILIC_OK) {
+ *       int32_t done = 0;
+ *       while (!done && umbilic_run_step(run, 10, &done) == UMBILIC_OK) {}
+ *       umbilic_text report;
+ *       if (umbilic_run_report(run, NULL, &report) == UMBILIC_OK) fwrite(report.data, 1, report.length, stdout);
+ *       umbilic_run_destroy(run);
+ *     }
+ *
+ * Problems, reports and their parts are JSON texts, with members and versions as in core/problem/text.h; what the
+ * program `umbilic optimize --print-schema` prints describes each member. Numbers that are not finite are null.
+ *
+ * Every function returns a status unless it cannot fail, and leaves its outputs untouched when it fails; no exception
+ * leaves it. Pointers must not be null except where that is said, and are checked; so are enumerators, counts and
+ * ranges. Handles are opaque; each is destroyed once, after which it must not be used, which cannot be checked. Calls
+ * on different handles may run on different threads; calls on one handle may not run at the same time.
  */
 #ifndef UMBILIC_API_H
 #define UMBILIC_API_H
@@ -13,162 +28,172 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/** Rises when a function or a struct of this file changes what it means. */
+#define UMBILIC_API_VERSION 2
+
+/** Bytes of the longest text that is read. */
+#define UMBILIC_MAX_TEXT 268435456
+/** Most quads of a limit mesh: patches times the square of the density. */
+#define UMBILIC_MAX_LIMIT_QUADS 4000000
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct umbilic_cage umbilic_cage;
-typedef struct umbilic_minimizer umbilic_minimizer;
+typedef struct umbilic_run umbilic_run;
 typedef struct umbilic_certificate umbilic_certificate;
 typedef struct umbilic_mesh umbilic_mesh;
 
-typedef enum {
+typedef enum umbilic_status {
   UMBILIC_OK = 0,
-  UMBILIC_BAD_INPUT = 1, /* the user's cage or options; the message says where and why */
-  UMBILIC_OUT_OF_MEMORY = 2
+  UMBILIC_BAD_INPUT = 1,     /* the user's cage or problem; the message says where and why */
+  UMBILIC_BAD_ARGUMENT = 2,  /* the caller's mistake: a null pointer, an enumerator or a count out of range */
+  UMBILIC_OUT_OF_MEMORY = 3, /* a run in which that happens takes no more steps */
+  UMBILIC_INTERNAL = 4       /* a mistake of this library */
 } umbilic_status;
+
+/**
+ * UTF-8 text that the library keeps, followed by a zero byte that `length` does not count. It lives until the next call
+ * on the same thread that answers with a text.
+ */
+typedef struct umbilic_text {
+  const char* data;
+  size_t length;
+} umbilic_text;
+
+/** UMBILIC_API_VERSION of the library, which a caller compares with that of its header. */
+int32_t umbilic_api_version(void);
 
 /** Program version, static storage. */
 const char* umbilic_version(void);
 
-/** Copies the message of the last failure, zero-terminated and cut to `capacity` bytes; returns its full length. */
+/**
+ * Copies the message of the last failure on this thread, zero-terminated and cut to `capacity` bytes; returns its full
+ * length. `buffer` may be null where `capacity` is 0.
+ */
 size_t umbilic_copy_message(char* buffer, size_t capacity);
 
-/** `count` names separated by newlines, static storage. */
-const char* umbilic_cage_names(void);
-const char* umbilic_functional_names(void);
+/** JSON arrays of names: of the generated cages, and of the functionals. */
+umbilic_status umbilic_cage_names(umbilic_text* names);
+umbilic_status umbilic_functional_names(umbilic_text* names);
 
 /* ---- cages ---- */
 
-/** Reads OBJ or OFF text of `length` bytes. */
-umbilic_status umbilic_cage_read(const char* text, size_t length, umbilic_cage** out);
+/** From a problem's "cage": {"generator": "two-3", …} or {"text": "the text of an OBJ or OFF file"}. */
+umbilic_status umbilic_cage_create(const char* cage, size_t length, umbilic_cage** out);
 
-/** A generated cage; `family` 0 hub, 1 flag. Options as in core/cage/generate.h. */
-umbilic_status umbilic_cage_generate(const char* name, int32_t family, double thickness, umbilic_cage** out);
-
-/**
- * The control mesh `level` Catmull-Clark steps from the cage, with the cage's symmetry, from the points of the first
- * vertex of each of its orbits, 3 doubles each: what umbilic_minimizer_orbit_points gives of a surface on that level.
- */
-umbilic_status umbilic_cage_refined(const umbilic_cage* cage, int32_t level, const double* points, int32_t count,
-                                    umbilic_cage** out);
-
+/** Does nothing with null, as all that destroy. */
 void umbilic_cage_destroy(umbilic_cage* cage);
 
-/** counts: vertices, edges, faces, components, genus. */
-void umbilic_cage_counts(const umbilic_cage* cage, int32_t counts[5]);
+/** A report's "cage": numbers of vertices, edges and faces, genus, components. */
+umbilic_status umbilic_cage_counts(const umbilic_cage* cage, umbilic_text* counts);
+
+/** The polygons of the cage. */
+umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out);
 
 /* ---- tori of revolution, in closed form ---- */
 
-/** energies: the six functionals in order, of the torus whose tube has `ratio` of its radius, 0 < ratio < 1. */
-umbilic_status umbilic_torus_energies(double ratio, double energies[6]);
+/** Of the torus whose tube has `ratio` of its radius, 0 < ratio < 1: {"bending": …, …}. */
+umbilic_status umbilic_torus_energies(double ratio, umbilic_text* energies);
 
 /**
- * The torus of least energy. minimizer: its ratio (NaN where all have the same energy), the energy, and 1 where it is
- * attained; 0 where it is the infimum as the ratio, reported as 0, tends to 0.
+ * The torus of least energy, of a problem's "terms": {"ratio", "energy", "attained"}. The ratio is null where all have
+ * the same energy; attained is false where the energy is the infimum as the ratio, then 0, tends to 0.
  */
-umbilic_status umbilic_torus_minimizer(const double weights[6], double minimizer[3]);
+umbilic_status umbilic_torus_minimizer(const char* terms, size_t length, umbilic_text* minimizer);
 
 /* ---- one run ---- */
 
 /**
- * weights: six, in the order of umbilic_functional_names. cap: 0 none, 1 flat, 2 smooth. symmetry: whether the surface
- * keeps the cage's. metric: 0 auto, 1 identity, 2 sobolev, 3 hessian. Levels first..last count Catmull-Clark steps from
- * the cage to the mesh whose points are moved. The minimizer keeps no reference to the cage.
+ * Begins the run that a problem asks for; from a report, the run that goes on where the report ended. `points`, where
+ * it is not null, has 3 doubles for each of `count` points, which take the place of the problem's "start.points".
  */
-umbilic_status umbilic_minimizer_create(const umbilic_cage* cage, const double weights[6], int32_t cap,
-                                        int32_t symmetry, int32_t metric, int32_t first_level, int32_t last_level,
-                                        int32_t max_iterations, double tolerance, umbilic_minimizer** out);
+umbilic_status umbilic_run_create(const char* problem, size_t length, const double* points, size_t count,
+                                  umbilic_run** out);
 
-void umbilic_minimizer_destroy(umbilic_minimizer* minimizer);
+void umbilic_run_destroy(umbilic_run* run);
 
-/** Does up to `units` energy evaluations (or parts of a level's preparation of no greater cost); 1 when the run is
- * done. */
-int32_t umbilic_minimizer_step(umbilic_minimizer* minimizer, int32_t units);
+/**
+ * Does up to `units` >= 0 units of work: one energy evaluation each, or one part of a level's preparation of no greater
+ * cost. `done` receives 1 when the run is done, else 0.
+ */
+umbilic_status umbilic_run_step(umbilic_run* run, int32_t units, int32_t* done);
 
 /** Ends the run; what there is so far is its result. */
-void umbilic_minimizer_cancel(umbilic_minimizer* minimizer);
+umbilic_status umbilic_run_cancel(umbilic_run* run);
+
+/** What there is to say of a run, each under the name that it has in a report. */
+typedef enum umbilic_part {
+  UMBILIC_PART_PROGRESS = 0, /* in no report: phase, level, evaluations, energy, …; see core/problem/progress.h */
+  UMBILIC_PART_PROBLEM = 1,  /* complete, with its version */
+  UMBILIC_PART_CAGE = 2,
+  UMBILIC_PART_GROUP = 3,
+  UMBILIC_PART_LEVELS = 4,
+  UMBILIC_PART_LIMIT = 5,
+  UMBILIC_PART_ENERGIES = 6 /* takes several times as long as a step, once for each surface */
+} umbilic_part;
+
+umbilic_status umbilic_run_part(const umbilic_run* run, umbilic_part part, umbilic_text* text);
+
+/** All of it, with the surface. `certificate`, unless null, is one of this run that is ready. */
+umbilic_status umbilic_run_report(const umbilic_run* run, const umbilic_certificate* certificate, umbilic_text* report);
 
 /**
- * progress: phase (0 prepare, 1 minimize, 2 report, 3 done), level, iterations, evaluations (both in this level),
- * evaluations in all, energy of the best surface (NaN before the first), its gradient norm,
- * predicted decrease (NaN before the first iteration).
+ * The best surface so far as a problem's "start" has it: the level, and 3 doubles for each of `count` points, which
+ * live until the next call on the run.
  */
-void umbilic_minimizer_progress(const umbilic_minimizer* minimizer, double progress[8]);
+umbilic_status umbilic_run_state(umbilic_run* run, int32_t* level, const double** points, size_t* count);
 
-/** Number of levels ended so far. */
-int32_t umbilic_minimizer_level_count(const umbilic_minimizer* minimizer);
+/** The control mesh of the best surface so far. */
+umbilic_status umbilic_run_control_mesh(const umbilic_run* run, umbilic_mesh** out);
 
 /**
- * level: level, patches, unknowns, energy, energy_reported, iterations, evaluations, seconds, how often the metric was
- * built, whether the mesh that was moved is evaluable itself (1) or only prepares the first that is (0), steps by which
- * its quadrature rules became finer than usual. Returns the stop reason, static storage.
+ * The limit surface of the best surface so far, `density` >= 1 quads along each edge of a patch, at most
+ * UMBILIC_MAX_LIMIT_QUADS in all.
  */
-const char* umbilic_minimizer_level(const umbilic_minimizer* minimizer, int32_t index, double level[11]);
-/** "identity", "sobolev" or "hessian", static storage. */
-const char* umbilic_minimizer_level_metric(const umbilic_minimizer* minimizer, int32_t index);
-
-/** Schoenflies symbol of the symmetry that the run keeps, C1 where there is none; `order` receives its order. */
-const char* umbilic_minimizer_group(const umbilic_minimizer* minimizer, int32_t* order);
-
-/**
- * limit: energy, observed order (NaN where it cannot be told), error. Returns "converging": the levels' energies tend
- * to energy +- error; or why they tell no limit, with the last level's energy and error NaN: "too_few_levels",
- * "not_minimized", "not_converging", "not_whole". Static storage.
- */
-const char* umbilic_minimizer_limit(const umbilic_minimizer* minimizer, double limit[3]);
-
-/**
- * energies of the best surface by the reporting rule: the six functionals in order, area, Gaussian curvature integral,
- * quadrature error. NaN where a quantity diverges.
- */
-void umbilic_minimizer_energies(const umbilic_minimizer* minimizer, double energies[9]);
-
-/** 3 doubles for each of `count` points: of the first vertex of each orbit of the control mesh of the best surface so
- * far. */
-const double* umbilic_minimizer_orbit_points(umbilic_minimizer* minimizer, int32_t* count);
+umbilic_status umbilic_run_limit_mesh(const umbilic_run* run, int32_t density, umbilic_mesh** out);
 
 /* ---- whether the best surface is a minimum among all surfaces near it, symmetric or not ---- */
 
-/** Of the best surface so far; keeps no reference to the minimizer. Fails for flat caps and very large meshes. */
-umbilic_status umbilic_minimizer_certify(const umbilic_minimizer* minimizer, umbilic_certificate** out);
+/** Of the best surface so far; keeps no reference to the run. Fails for flat caps and very large meshes. */
+umbilic_status umbilic_run_certify(const umbilic_run* run, umbilic_certificate** out);
 
 void umbilic_certificate_destroy(umbilic_certificate* certificate);
 
-/** Does up to `units` units of about the cost of an energy evaluation, the last one far more; 1 when the report is
- * ready. Fails where rounding hides the signs of the eigenvalues, and when memory runs out. */
+/**
+ * Does up to `units` >= 0 units of about the cost of an energy evaluation, the last one far more. `done` receives 1
+ * when the report is ready, else 0. Fails where rounding hides the signs of the eigenvalues.
+ */
 umbilic_status umbilic_certificate_step(umbilic_certificate* certificate, int32_t units, int32_t* done);
 
 /** In [0, 1]. */
-double umbilic_certificate_progress(const umbilic_certificate* certificate);
+umbilic_status umbilic_certificate_progress(const umbilic_certificate* certificate, double* progress);
 
-/**
- * report, once ready: level, unknowns of the full Hessian, gauge directions removed from it, tau (eigenvalues relative
- * to the Sobolev product below -tau count as negative), number of directions along which the energy decreases.
- */
-void umbilic_certificate_report(const umbilic_certificate* certificate, double report[5]);
+/** A report's "certificate", once it is ready. */
+umbilic_status umbilic_certificate_report(const umbilic_certificate* certificate, umbilic_text* report);
 
-/* ---- meshes: the control mesh or the limit surface of the best surface so far ---- */
+/* ---- meshes ---- */
 
-/** The polygons of the cage as read; curvatures and normals are empty. */
-umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out);
-/** The control mesh; curvatures and normals are empty. */
-umbilic_status umbilic_minimizer_control_mesh(const umbilic_minimizer* minimizer, umbilic_mesh** out);
-/** The limit surface, `density` >= 1 quads along each edge of a patch; edges are empty. Fails where it would take too much
- * memory, and names the largest density that would not. */
-umbilic_status umbilic_minimizer_limit_mesh(const umbilic_minimizer* minimizer, int32_t density, umbilic_mesh** out);
+/** Arrays of a mesh, which live as long as its handle. Vertices are counted from 0. */
+typedef struct umbilic_mesh_arrays {
+  const float* positions;    /* 3 per vertex, from the centre, so that a small mesh far away keeps its digits */
+  const float* normals;      /* 3 per vertex; null for control meshes */
+  const float* curvatures;   /* kappa1 >= kappa2 per vertex; null for control meshes */
+  const uint32_t* triangles; /* 3 per triangle */
+  const uint32_t* edges;     /* 2 per edge, each edge once; null for limit meshes */
+  size_t vertex_count;
+  size_t triangle_count;
+  size_t edge_count; /* 0 for limit meshes */
+  double centre[3];  /* the middle of the vertices' bounding box, in the coordinates of the cage */
+} umbilic_mesh_arrays;
+
+umbilic_status umbilic_mesh_view(const umbilic_mesh* mesh, umbilic_mesh_arrays* arrays);
+
+/** OBJ text with full digits: the polygons of a control mesh, the quads of a limit mesh with normals. */
+umbilic_status umbilic_mesh_obj(const umbilic_mesh* mesh, umbilic_text* obj);
 
 void umbilic_mesh_destroy(umbilic_mesh* mesh);
-
-/** counts: vertices, faces, corners, edges, triangles. */
-void umbilic_mesh_counts(const umbilic_mesh* mesh, int32_t counts[5]);
-const float* umbilic_mesh_positions(const umbilic_mesh* mesh);    /* 3 per vertex */
-const float* umbilic_mesh_normals(const umbilic_mesh* mesh);      /* 3 per vertex, or null */
-const float* umbilic_mesh_curvatures(const umbilic_mesh* mesh);   /* kappa1 >= kappa2 per vertex, or null */
-const uint32_t* umbilic_mesh_triangles(const umbilic_mesh* mesh); /* 3 per triangle */
-const uint32_t* umbilic_mesh_edges(const umbilic_mesh* mesh);     /* 2 per edge, each edge once; or null */
-/** OBJ text with full digits; `length` receives its bytes. */
-const char* umbilic_mesh_obj(umbilic_mesh* mesh, size_t* length);
 
 #ifdef __cplusplus
 }

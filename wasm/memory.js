@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Loads the core and moves values in and out of it. The only file that touches WebAssembly memory; views of it die
- * when it grows, so they are taken anew after every call.
+ * @file Loads the core, calls it, and moves values in and out of it. The only file that touches WebAssembly memory; views
+ * of it die when it grows, so they are taken anew after every call. Whatever fails reaches the caller as an `Error` with
+ * words.
  */
 
 import createCore from '../build/wasm/umbilic-core.mjs';
@@ -9,12 +10,15 @@ import createCore from '../build/wasm/umbilic-core.mjs';
 /** @import {Core} from '../build/wasm/umbilic-core.mjs' */
 /** @import {Mesh} from './types.js' */
 
-/** What a user's cage or options did wrong; `message` names the place. */
+/** What a user's cage or problem did wrong; `message` names the place. */
 export class InputError extends Error {
   name = 'InputError';
 }
 
-/** Bytes for the numbers that a call hands back: the largest is ten doubles. */
+/** UMBILIC_API_VERSION of the contract that this file speaks. */
+const API_VERSION = 2;
+
+/** Bytes for what a call hands back: the largest is umbilic_mesh_arrays, eight words of 32 bits. */
 const SCRATCH_BYTES = 128;
 
 const wasmUrl = new URL('../build/wasm/umbilic-core.wasm', import.meta.url);
@@ -24,6 +28,8 @@ let loaded = null;
 /** @type {Promise<void> | null} */
 let loading = null;
 let scratch = 0;
+/** Why the module takes no more calls. @type {Error | null} */
+let broken = null;
 
 /**
  * In Node the glue cannot fetch, so the binary is read here.
@@ -39,8 +45,11 @@ function readBinaryInNode() {
 /** @param {{wasmBinary?: ArrayBuffer | Uint8Array}} options */
 async function instantiate(options) {
   const wasmBinary = options.wasmBinary ?? readBinaryInNode();
-  loaded = await createCore(wasmBinary ? { wasmBinary } : { locateFile: () => wasmUrl.href });
-  scratch = loaded._malloc(SCRATCH_BYTES) >>> 0;
+  const made = await createCore(wasmBinary ? { wasmBinary } : { locateFile: () => wasmUrl.href });
+  const version = made._umbilic_api_version();
+  if (version !== API_VERSION) throw new Error(`the module has version ${version} of the contract, not ${API_VERSION}`);
+  scratch = made._malloc(SCRATCH_BYTES) >>> 0;
+  loaded = made;
 }
 
 /**
@@ -58,112 +67,151 @@ export function load(options = {}) {
 }
 
 /** @returns {Core} */
-export function core() {
+function core() {
   if (!loaded) throw new Error('umbilic is not loaded: await load() first');
   return loaded;
 }
 
-/** @param {number} pointer to a zero-terminated UTF-8 string */
-export const stringAt = (pointer) => core().UTF8ToString(pointer);
+/**
+ * Runs something in the module. A trap leaves its memory in no order, so that it takes no calls afterwards.
+ * @template T
+ * @param {(module: Core) => T} run
+ * @returns {T}
+ */
+function inModule(run) {
+  if (broken) throw broken;
+  try {
+    return run(core());
+  } catch (error) {
+    const trapped = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
+    if (!trapped) throw error;
+    broken = new Error(`the core has broken off and takes no more calls: ${error.message}`, { cause: error });
+    throw broken;
+  }
+}
+
+/** @param {number} bytes @returns {number} */
+function allocate(bytes) {
+  const pointer = inModule((module) => module._malloc(bytes)) >>> 0;
+  if (!pointer) throw new RangeError('out of memory');
+  return pointer;
+}
+
+/** The words of the last failure. @returns {string} */
+function lastMessage() {
+  return inModule((module) => {
+    const length = module._umbilic_copy_message(scratch, SCRATCH_BYTES) >>> 0;
+    if (length < SCRATCH_BYTES) return module.UTF8ToString(scratch);
+    const buffer = module._malloc(length + 1) >>> 0;
+    if (!buffer) return module.UTF8ToString(scratch);
+    module._umbilic_copy_message(buffer, length + 1);
+    const message = module.UTF8ToString(buffer);
+    module._free(buffer);
+    return message;
+  });
+}
 
 /**
- * Runs `use` with a copy of the bytes in the module's memory, followed by a zero.
+ * Calls a function of api.h that returns a status.
+ * @param {string} name without umbilic_
+ * @param {...number} args
+ * @throws {InputError | RangeError | Error}
+ */
+export function call(name, ...args) {
+  const status = inModule((module) => module[`_umbilic_${name}`](...args));
+  if (status === 0) return;
+  const message = lastMessage();
+  if (status === 1) throw new InputError(message);
+  if (status === 3) throw new RangeError(message);
+  throw new Error(`umbilic_${name}: ${message}`);
+}
+
+/** Calls a function that cannot fail. @param {string} name @param {...number} args @returns {number} */
+export const plainCall = (name, ...args) => inModule((module) => module[`_umbilic_${name}`](...args));
+
+/** The words of 32 bits that the last call has handed back. @param {number} count */
+const handedBack = (count) => Array.from(core().HEAPU32.subarray(scratch >>> 2, (scratch >>> 2) + count));
+
+/** The word that a call hands back last: a handle, or a yes or no. @param {string} name @param {...number} args */
+export function wordFrom(name, ...args) {
+  call(name, ...args, scratch);
+  return handedBack(1)[0];
+}
+
+/** The number that a call hands back last. @param {string} name @param {...number} args */
+export function numberFrom(name, ...args) {
+  call(name, ...args, scratch);
+  return core().HEAPF64[scratch >>> 3];
+}
+
+/** The text that a call hands back last. @param {string} name @param {...number} args @returns {string} */
+export function textFrom(name, ...args) {
+  call(name, ...args, scratch);
+  const [pointer, length] = handedBack(2);
+  return new TextDecoder().decode(core().HEAPU8.subarray(pointer, pointer + length));
+}
+
+/**
+ * What a text in JSON says. It knows null only in the place of a number that is not finite.
+ * @param {string} text
+ * @returns {any}
+ */
+export const parse = (text) => JSON.parse(text, (_, value) => (value === null ? NaN : value));
+
+/** The value that a call hands back last, as JSON. @param {string} name @param {...number} args @returns {any} */
+export const valueFrom = (name, ...args) => parse(textFrom(name, ...args));
+
+/** A string at a pointer that a plain call returns. @param {string} name @returns {string} */
+export const stringFrom = (name) => core().UTF8ToString(plainCall(name));
+
+/**
+ * Runs `use` with a copy of the text in the module's memory.
  * @template T
- * @param {string | Uint8Array} text
+ * @param {string} text
  * @param {(pointer: number, length: number) => T} use
  * @returns {T}
  */
 export function withText(text, use) {
-  const bytes = typeof text === 'string' ? new TextEncoder().encode(text) : text;
-  const pointer = core()._malloc(bytes.length + 1) >>> 0;
-  if (!pointer) throw new RangeError('not enough memory');
+  const bytes = new TextEncoder().encode(text);
+  const pointer = allocate(bytes.length + 1);
   try {
     core().HEAPU8.set(bytes, pointer);
-    core().HEAPU8[pointer + bytes.length] = 0;
     return use(pointer, bytes.length);
   } finally {
-    core()._free(pointer);
+    if (!broken) core()._free(pointer);
   }
 }
 
 /**
- * Runs `use` with a copy of the numbers in the module's memory.
+ * Runs `use` with a copy of the points in the module's memory, or with a null pointer where there are none.
  * @template T
- * @param {ArrayLike<number>} values
- * @param {(pointer: number) => T} use
+ * @param {Float64Array | null} points
+ * @param {(pointer: number, count: number) => T} use
  * @returns {T}
  */
-export function withDoubles(values, use) {
-  const pointer = core()._malloc(8 * values.length) >>> 0;
-  if (!pointer) throw new RangeError('not enough memory');
+export function withPoints(points, use) {
+  if (!points) return use(0, 0);
+  const pointer = allocate(Math.max(8, points.byteLength));
   try {
-    core().HEAPF64.set(values, pointer >>> 3);
-    return use(pointer);
+    core().HEAPF64.set(points, pointer >>> 3);
+    return use(pointer, points.length / 3);
   } finally {
-    core()._free(pointer);
+    if (!broken) core()._free(pointer);
   }
 }
 
-/** @returns {string} the words of the last failure */
-function lastMessage() {
-  const length = core()._umbilic_copy_message(scratch, SCRATCH_BYTES);
-  if (length < SCRATCH_BYTES) return stringAt(scratch);
-  const buffer = core()._malloc(length + 1) >>> 0;
-  core()._umbilic_copy_message(buffer, length + 1);
-  const message = stringAt(buffer);
-  core()._free(buffer);
-  return message;
+/** @param {number} run @returns {{level: number, points: Float64Array}} what umbilic_run_state hands back */
+export function stateOf(run) {
+  call('run_state', run, scratch, scratch + 4, scratch + 8);
+  const [level, pointer, count] = handedBack(3);
+  return { level, points: core().HEAPF64.slice(pointer >>> 3, (pointer >>> 3) + 3 * count) };
 }
 
-/** Of a call that can fail. @param {number} status @throws {InputError | RangeError} */
-export function check(status) {
-  if (status === 0) return;
-  if (status === 1) throw new InputError(lastMessage());
-  throw new RangeError(lastMessage() || 'not enough memory');
-}
-
-/**
- * The handle that `create(out)` writes.
- * @param {(out: number) => number} create
- * @returns {number}
- */
-export function handleFrom(create) {
-  check(create(scratch));
-  return core().HEAPU32[scratch >>> 2];
-}
-
-/**
- * The whole numbers that `write(out)` writes.
- * @param {number} count
- * @param {(out: number) => void} write
- * @returns {number[]}
- */
-export function integersFrom(count, write) {
-  write(scratch);
-  return Array.from(core().HEAP32.subarray(scratch >>> 2, (scratch >>> 2) + count));
-}
-
-/**
- * The numbers that `write(out)` writes.
- * @param {number} count
- * @param {(out: number) => void} write
- * @returns {number[]}
- */
-export function doublesFrom(count, write) {
-  write(scratch);
-  return Array.from(core().HEAPF64.subarray(scratch >>> 3, (scratch >>> 3) + count));
-}
-
-/** A copy. @param {number} pointer @param {number} count @returns {Float64Array} */
-export const doublesAt = (pointer, count) => core().HEAPF64.slice(pointer >>> 3, (pointer >>> 3) + count);
-
-/**
- * Copies of a mesh's arrays.
- * @param {number} handle
- * @returns {Mesh}
- */
-export function copyMesh(handle) {
-  const [vertices, , , edges, triangles] = integersFrom(5, (out) => core()._umbilic_mesh_counts(handle, out));
+/** Copies of a mesh's arrays. @param {number} mesh @returns {Mesh} */
+export function copyMesh(mesh) {
+  call('mesh_view', mesh, scratch);
+  // As umbilic_mesh_arrays has them.
+  const [positions, normals, curvatures, triangles, edges, vertexCount, triangleCount, edgeCount] = handedBack(8);
   /** @param {number} pointer @param {number} count */
   const floats = (pointer, count) =>
     pointer ? core().HEAPF32.slice(pointer >>> 2, (pointer >>> 2) + count) : new Float32Array(0);
@@ -171,33 +219,31 @@ export function copyMesh(handle) {
   const indices = (pointer, count) =>
     pointer ? core().HEAPU32.slice(pointer >>> 2, (pointer >>> 2) + count) : new Uint32Array(0);
   return {
-    positions: floats(core()._umbilic_mesh_positions(handle), 3 * vertices),
-    normals: floats(core()._umbilic_mesh_normals(handle), 3 * vertices),
-    curvatures: floats(core()._umbilic_mesh_curvatures(handle), 2 * vertices),
-    triangles: indices(core()._umbilic_mesh_triangles(handle), 3 * triangles),
-    edges: indices(core()._umbilic_mesh_edges(handle), 2 * edges),
+    centre: core().HEAPF64.slice((scratch + 32) >>> 3, (scratch + 56) >>> 3),
+    positions: floats(positions, 3 * vertexCount),
+    normals: floats(normals, 3 * vertexCount),
+    curvatures: floats(curvatures, 2 * vertexCount),
+    triangles: indices(triangles, 3 * triangleCount),
+    edges: indices(edges, 2 * edgeCount),
   };
 }
 
-/** A mesh as OBJ text. @param {number} handle @returns {string} */
-export function meshObj(handle) {
-  const pointer = core()._umbilic_mesh_obj(handle, scratch) >>> 0;
-  const length = core().HEAPU32[scratch >>> 2];
-  return new TextDecoder().decode(core().HEAPU8.subarray(pointer, pointer + length));
-}
-
 /**
- * Runs `use` with a mesh handle that lives no longer.
+ * Runs `use` with a mesh that a call hands back last, and that lives no longer.
  * @template T
- * @param {(out: number) => number} create
- * @param {(handle: number) => T} use
+ * @param {(mesh: number) => T} use
+ * @param {string} name
+ * @param {...number} args
  * @returns {T}
  */
-export function withMesh(create, use) {
-  const handle = handleFrom(create);
+export function withMesh(use, name, ...args) {
+  const mesh = wordFrom(name, ...args);
   try {
-    return use(handle);
+    return use(mesh);
   } finally {
-    core()._umbilic_mesh_destroy(handle);
+    if (!broken) plainCall('mesh_destroy', mesh);
   }
 }
+
+/** A mesh as OBJ text. @param {number} mesh @returns {string} */
+export const meshObj = (mesh) => textFrom('mesh_obj', mesh);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The types of the core's JavaScript face, umbilic.js; nothing here runs.
+ * @file The types of what goes into the core and comes out of it, with the names of the text form of problems and
+ * reports (core/problem/text.h); nothing here runs. Numbers that are not finite are null in the text and NaN here.
  */
 
 /** @typedef {'bending'|'willmore'|'mvs'|'mvs_cross'|'mehlum_tarrou'|'second_form_variation'} FunctionalName */
@@ -12,28 +13,63 @@
  * StopReason
  */
 
+/* ---- what is asked ---- */
+
 /**
- * @typedef {object} MinimizerOptions
- * @property {Partial<Record<FunctionalName, number>>} weights non-negative, not all zero
+ * Parameters that a cage does not have are ignored by it.
+ * @typedef {object} GeneratedCage
+ * @property {string} generator
+ * @property {'hub' | 'flag'} [family] of frames
+ * @property {number} [thickness] of the arms or the tube, relative to the default
+ * @property {number} [spread] of frames with two junctions: distance of the arms from the axis
+ * @property {number} [ratio] of the torus: minor radius / major radius
+ * @property {[number, number]} [segments] of the torus: around the axis and around the tube
+ */
+
+/** The text of an OBJ or OFF file. @typedef {{name?: string, text: string | Uint8Array}} CageText */
+
+/** @typedef {GeneratedCage | CageText} CageInput */
+
+/** Weights of functionals, non-negative, not all zero. @typedef {Partial<Record<FunctionalName, number>>} Terms */
+
+/**
+ * @typedef {object} Options
  * @property {CapName} [cap] default 'smooth'
+ * @property {[number, number]} [levels] first and last, in Catmull-Clark steps from the cage; default [0, 2]
+ * @property {number} [max_iterations] per level; default 1000
+ * @property {number} [tolerance] default 1e-6
  * @property {boolean} [symmetry] whether the surface keeps the cage's; default true
  * @property {MetricName} [metric] default 'auto'
- * @property {[number, number]} [levels] first and last, in Catmull-Clark steps from the cage; default [0, 2]
- * @property {number} [maxIterations] per level; default 1000
- * @property {number} [tolerance] default 1e-6
  */
+
+/**
+ * A surface, as the control points of the first vertex of each orbit of the symmetry that its run keeps.
+ * @typedef {{level: number, points: Float64Array | number[]}} SurfaceState
+ */
+
+/**
+ * @typedef {object} Problem
+ * @property {CageInput} cage
+ * @property {Terms} terms
+ * @property {{}} [constraints] there are none yet
+ * @property {Options} [options]
+ * @property {SurfaceState} [start] where the run goes on, instead of beginning with the cage
+ */
+
+/* ---- what comes out ---- */
 
 /**
  * @typedef {object} Progress
  * @property {Phase} phase
  * @property {number} level
+ * @property {number} ended_levels
  * @property {number} iterations in this level
  * @property {number} evaluations in this level
- * @property {number} totalEvaluations over all levels
+ * @property {number} total_evaluations over all levels
  * @property {number} energy of the best surface of this level; NaN before the first evaluation. It rises only where the
  *   level goes on with a finer quadrature rule
- * @property {number} gradientNorm of the best surface
- * @property {number} predictedDecrease what the level can still gain; NaN before the first iteration
+ * @property {number} gradient_norm of the best surface
+ * @property {number} predicted_decrease what the level can still gain; NaN before the first iteration
  */
 
 /**
@@ -42,17 +78,17 @@
  * @property {number} patches
  * @property {number} unknowns
  * @property {number} energy by the minimizing rule
- * @property {number} energyReported by the reporting rule
+ * @property {number} energy_reported by the reporting rule
  * @property {number} iterations
  * @property {number} evaluations
  * @property {number} seconds
  * @property {StopReason} stop
  * @property {Exclude<MetricName, 'auto'>} metric
  * @property {number} metrics how often the metric was built
- * @property {boolean} evaluable whether the mesh that was moved is the one that the surface was evaluated on; coarser
- *   ones only prepare the first of these
  * @property {number} quadrature steps by which its quadrature rules became finer than usual, because the surface made
  *   use of their error
+ * @property {boolean} evaluable whether the mesh that was moved is the one that the surface was evaluated on; coarser
+ *   ones only prepare the first of these
  */
 
 /**
@@ -82,8 +118,29 @@
  */
 
 /**
- * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadratureError', number>} Energies NaN where a quantity
- * diverges
+ * NaN where a quantity diverges; `whole` is false where curvature hides between the samples.
+ * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number> & {whole: boolean}} Energies
+ */
+
+/**
+ * @typedef {{vertices: number, edges: number, faces: number, genus: number}} CageComponent
+ * @typedef {CageComponent & {components: CageComponent[]}} CageReport
+ */
+
+/**
+ * @typedef {object} Report
+ * @property {'report'} umbilic
+ * @property {number} version of the text form
+ * @property {string} program its version
+ * @property {string} instruction_set that its kernels used
+ * @property {Problem} problem
+ * @property {CageReport} cage
+ * @property {Group} group
+ * @property {LevelReport[]} levels
+ * @property {Limit} limit
+ * @property {Energies} energies
+ * @property {CertificateReport} [certificate]
+ * @property {SurfaceState} surface
  */
 
 /**
@@ -92,13 +149,12 @@
  * @typedef {{ratio: number, energy: number, attained: boolean}} TorusMinimizer
  */
 
-/** @typedef {{vertices: number, edges: number, faces: number, components: number, genus: number}} CageCounts */
-
 /**
  * A mesh copied out of the core, fit to be transferred. `normals` and `curvatures` (κ1 ≥ κ2 per vertex, positive
  * where a sphere's are) are empty for control meshes, `edges` for limit meshes.
  * @typedef {object} Mesh
- * @property {Float32Array} positions 3 per vertex
+ * @property {Float64Array} centre 3: the middle of the bounding box, in the cage's coordinates
+ * @property {Float32Array} positions 3 per vertex, from the centre, so that they keep the digits of a small mesh far away
  * @property {Float32Array} normals 3 per vertex
  * @property {Float32Array} curvatures 2 per vertex
  * @property {Uint32Array} triangles 3 per triangle

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The JavaScript face of the core, for the browser, a worker and Node alike.
+ * @file The JavaScript face of the core, for the browser, a worker and Node alike. What goes in and comes out is the
+ * text form of problems and reports, as objects with the same names; see types.js.
  *
- *     import { Cage, Minimizer, load } from './wasm/umbilic.js';
+ *     import { Minimizer, load } from './wasm/umbilic.js';
  *     await load();
- *     const cage = Cage.generate('two-3');
- *     const minimizer = new Minimizer(cage, { weights: { bending: 1 }, levels: [0, 2] });
+ *     const minimizer = new Minimizer({
+ *       cage: { generator: 'two-3' },
+ *       terms: { bending: 1 },
+ *       options: { levels: [0, 2] },
+ *     });
  *     while (!minimizer.step(10)) console.log(minimizer.progress.energy);
  *     console.log(minimizer.energies.bending);
  *     minimizer.dispose();
@@ -13,36 +17,31 @@
 
 import {
   InputError,
-  check,
+  call,
   copyMesh,
-  core,
-  doublesAt,
-  doublesFrom,
-  handleFrom,
-  integersFrom,
   meshObj,
-  stringAt,
-  withDoubles,
+  numberFrom,
+  parse,
+  plainCall,
+  stateOf,
+  stringFrom,
+  textFrom,
+  valueFrom,
   withMesh,
+  withPoints,
   withText,
+  wordFrom,
 } from './memory.js';
 
 /**
- * @import {FunctionalName, CapName, MetricName, Phase, StopReason, LimitStatus, MinimizerOptions, Progress, LevelReport,
- * Energies, Group, Limit, CertificateReport, CageCounts, TorusMinimizer, Mesh} from './types.js'
+ * @import {CageInput, CageReport, CertificateReport, Energies, FunctionalName, GeneratedCage, Group, LevelReport, Limit,
+ * Mesh, Problem, Progress, Report, Terms, TorusMinimizer} from './types.js'
  */
 
 export { InputError, load } from './memory.js';
 
-/** @type {FunctionalName[]} the order of api.h's weights and energies */
-const FUNCTIONALS = ['bending', 'willmore', 'mvs', 'mvs_cross', 'mehlum_tarrou', 'second_form_variation'];
-/** @type {CapName[]} */
-const CAPS = ['none', 'flat', 'smooth'];
-/** @type {MetricName[]} */
-const METRICS = ['auto', 'identity', 'sobolev', 'hessian'];
-/** @type {Phase[]} */
-const PHASES = ['prepare', 'minimize', 'report', 'done'];
-const FAMILIES = ['hub', 'flag'];
+/** umbilic_part of api.h. */
+const PARTS = { progress: 0, problem: 1, cage: 2, group: 3, levels: 4, limit: 5, energies: 6 };
 
 /** @param {number} handle @param {string} type @returns {number} */
 function alive(handle, type) {
@@ -51,164 +50,128 @@ function alive(handle, type) {
 }
 
 /**
+ * A count that the contract takes as a whole number of 32 bits.
  * @param {number} value
  * @param {string} name
+ * @param {number} least
  * @returns {number}
  */
-function integer(value, name) {
-  if (!Number.isInteger(value)) throw new InputError(`${name} is ${value}, which is not a whole number`);
-  return value;
+function count(value, name, least) {
+  if (Number.isInteger(value) && value >= least && value < 2 ** 31) return value;
+  throw new InputError(`${name} is ${value}, not a whole number of at least ${least}`);
+}
+
+/** @param {CageInput} cage @returns {object} the bytes of a file as text */
+function plainCage(cage) {
+  const text = /** @type {{text?: unknown}} */ (cage)?.text;
+  return text instanceof Uint8Array ? { ...cage, text: new TextDecoder().decode(text) } : cage;
 }
 
 /**
- * The place of a name among those that are known.
- * @param {string} name
- * @param {readonly string[]} known
- * @param {string} what
- * @returns {number}
+ * The text of a problem or a report, and beside it the points to go on from, which need no text.
+ * @param {Problem | Report | string} asked
+ * @returns {{text: string, points: Float64Array | null}}
  */
-function indexIn(known, name, what) {
-  const index = known.indexOf(name);
-  if (index < 0) throw new InputError(`unknown ${what} "${name}"; known are ${known.join(', ')}`);
-  return index;
-}
-
-/** @param {Partial<Record<FunctionalName, number>>} weights @returns {number[]} in the core's order */
-function orderedWeights(weights) {
-  for (const name of Object.keys(weights)) indexIn(FUNCTIONALS, name, 'functional');
-  return FUNCTIONALS.map((name) => weights[name] ?? 0);
+function packed(asked) {
+  if (typeof asked === 'string') return { text: asked, points: null };
+  if (!asked || typeof asked !== 'object') throw new InputError(`${asked} is no problem`);
+  if ('umbilic' in asked && asked.umbilic === 'report') return { text: JSON.stringify(asked), points: null };
+  const problem = /** @type {Problem} */ (asked);
+  const head = { umbilic: 'problem', version: 1, ...problem, cage: plainCage(problem.cage) };
+  const points = problem.start?.points;
+  if (!(points instanceof Float64Array)) return { text: JSON.stringify(head), points: null };
+  if (points.length % 3 !== 0) throw new InputError(`start.points: ${points.length} numbers, not three for each point`);
+  return { text: JSON.stringify({ ...head, start: { ...problem.start, points: [] } }), points };
 }
 
 /** @returns {string} */
-export function version() {
-  return stringAt(core()._umbilic_version());
-}
+export const version = () => stringFrom('version');
 
 /** @returns {string[]} names of the generated cages */
-export function cageNames() {
-  return stringAt(core()._umbilic_cage_names()).trim().split('\n');
-}
+export const cageNames = () => valueFrom('cage_names');
 
 /** @returns {FunctionalName[]} */
-export function functionalNames() {
-  return /** @type {FunctionalName[]} */ (stringAt(core()._umbilic_functional_names()).trim().split('\n'));
-}
+export const functionalNames = () => valueFrom('functional_names');
 
 /**
  * Of the torus of revolution, in closed form.
  * @param {number} ratio of the tube's radius to that of the circle of its centres, between 0 and 1
  * @returns {Record<FunctionalName, number>} @throws {InputError}
  */
-export function torusEnergies(ratio) {
-  const values = doublesFrom(6, (out) => check(core()._umbilic_torus_energies(ratio, out)));
-  const [bending, willmore, mvs, mvs_cross, mehlum_tarrou, second_form_variation] = values;
-  return { bending, willmore, mvs, mvs_cross, mehlum_tarrou, second_form_variation };
-}
+export const torusEnergies = (ratio) => valueFrom('torus_energies', ratio);
 
 /**
  * The torus of revolution of least energy.
- * @param {Partial<Record<FunctionalName, number>>} weights
+ * @param {Terms} terms
  * @returns {TorusMinimizer} @throws {InputError}
  */
-export function torusMinimizer(weights) {
-  const [ratio, energy, attained] = withDoubles(orderedWeights(weights), (pointer) =>
-    doublesFrom(3, (out) => check(core()._umbilic_torus_minimizer(pointer, out))),
-  );
-  return { ratio, energy, attained: attained !== 0 };
-}
+export const torusMinimizer = (terms) =>
+  withText(JSON.stringify(terms), (pointer, length) => valueFrom('torus_minimizer', pointer, length));
 
 /** A control cage: closed, orientable, manifold. */
 export class Cage {
   #handle;
 
-  /** Use `Cage.read` or `Cage.generate`. @param {number} handle */
-  constructor(handle) {
-    this.#handle = handle;
-  }
+  /** What it was made of, for a problem. @type {CageInput} */
+  input;
 
-  /** @param {string | Uint8Array} text OBJ or OFF @returns {Cage} @throws {InputError} */
-  static read(text) {
-    return withText(
-      text,
-      (pointer, length) => new Cage(handleFrom((out) => core()._umbilic_cage_read(pointer, length, out))),
+  /** @param {CageInput} input @throws {InputError} */
+  constructor(input) {
+    this.input = input;
+    this.#handle = withText(JSON.stringify(plainCage(input)), (pointer, length) =>
+      wordFrom('cage_create', pointer, length),
     );
   }
 
-  /**
-   * @param {string} name
-   * @param {{family?: 'hub'|'flag', thickness?: number}} [options]
-   * @returns {Cage} @throws {InputError}
-   */
-  static generate(name, { family = 'flag', thickness = 1 } = {}) {
-    const index = indexIn(FAMILIES, family, 'family');
-    return withText(
-      name,
-      (pointer) => new Cage(handleFrom((out) => core()._umbilic_cage_generate(pointer, index, thickness, out))),
-    );
+  /** @param {string | Uint8Array} text OBJ or OFF @param {string} [name] @throws {InputError} */
+  static read(text, name = '') {
+    return new Cage({ name, text });
   }
 
-  /**
-   * The control mesh `level` Catmull-Clark steps from this cage, with its symmetry, that `orbitPoints` of a surface on
-   * that level describe.
-   * @param {number} level
-   * @param {ArrayLike<number>} points x, y, z of the first vertex of each orbit
-   * @returns {Cage} @throws {InputError} where the mesh has another number of orbits
-   */
-  refined(level, points) {
-    const steps = integer(level, 'the level');
-    const count = integer(points.length / 3, 'the number of points');
-    return withDoubles(
-      points,
-      (pointer) => new Cage(handleFrom((out) => core()._umbilic_cage_refined(this.handle, steps, pointer, count, out))),
-    );
+  /** @param {string} generator @param {Omit<GeneratedCage, 'generator'>} [parameters] @throws {InputError} */
+  static generate(generator, parameters = {}) {
+    return new Cage({ generator, ...parameters });
   }
 
-  /** For `Minimizer`. @returns {number} */
-  get handle() {
+  /** @returns {number} */
+  get #alive() {
     return alive(this.#handle, 'cage');
   }
 
-  /** @returns {CageCounts} */
+  /** @returns {CageReport} */
   get counts() {
-    const [vertices, edges, faces, components, genus] = integersFrom(5, (out) =>
-      core()._umbilic_cage_counts(this.handle, out),
-    );
-    return { vertices, edges, faces, components, genus };
+    return valueFrom('cage_counts', this.#alive);
   }
 
   /** @returns {Mesh} */
   mesh() {
-    return withMesh((out) => core()._umbilic_cage_mesh(this.handle, out), copyMesh);
+    return withMesh(copyMesh, 'cage_mesh', this.#alive);
   }
 
   /** @returns {string} OBJ text */
   obj() {
-    return withMesh((out) => core()._umbilic_cage_mesh(this.handle, out), meshObj);
+    return withMesh(meshObj, 'cage_mesh', this.#alive);
   }
 
   /** Frees the cage; a second call does nothing. */
   dispose() {
-    if (this.#handle) core()._umbilic_cage_destroy(this.#handle);
+    if (this.#handle) plainCall('cage_destroy', this.#handle);
     this.#handle = 0;
   }
 }
 
-/** One run on one cage; see core/driver/run.h. */
+/** One run of one problem; see core/driver/run.h. */
 export class Minimizer {
   #handle;
 
-  /** @param {Cage} cage @param {MinimizerOptions} options @throws {InputError} */
-  constructor(cage, options) {
-    const { weights, cap = 'smooth', symmetry = true, metric = 'auto', levels = [0, 2] } = options;
-    const { maxIterations = 1000, tolerance = 1e-6 } = options;
-    const choices = [indexIn(CAPS, cap, 'cap'), Number(symmetry), indexIn(METRICS, metric, 'metric')];
-    const first = integer(levels[0], 'the first level');
-    const last = integer(levels[1], 'the last level');
-    const limit = integer(maxIterations, 'the number of iterations');
-    this.#handle = withDoubles(orderedWeights(weights), (pointer) =>
-      handleFrom((out) =>
-        core()._umbilic_minimizer_create(cage.handle, pointer, ...choices, first, last, limit, tolerance, out),
-      ),
+  /**
+   * @param {Problem | Report | string} problem also as its text; of a report, it goes on where that ended
+   * @throws {InputError}
+   */
+  constructor(problem) {
+    const { text, points } = packed(problem);
+    this.#handle = withText(text, (pointer, length) =>
+      withPoints(points, (numbers, count) => wordFrom('run_create', pointer, length, numbers, count)),
     );
   }
 
@@ -217,89 +180,68 @@ export class Minimizer {
     return alive(this.#handle, 'minimizer');
   }
 
+  /** @param {keyof typeof PARTS} name @returns {any} */
+  #part(name) {
+    return valueFrom('run_part', this.#alive, PARTS[name]);
+  }
+
   /** Up to `units` energy evaluations. @param {number} units @returns {boolean} whether the run is done */
   step(units) {
-    return core()._umbilic_minimizer_step(this.#alive, units) !== 0;
+    return wordFrom('run_step', this.#alive, count(units, 'the number of units', 0)) !== 0;
   }
 
   /** Ends the run; what there is so far is its result. */
   cancel() {
-    core()._umbilic_minimizer_cancel(this.#alive);
+    call('run_cancel', this.#alive);
   }
 
   /** @returns {Progress} */
   get progress() {
-    const [phase, level, iterations, evaluations, totalEvaluations, energy, gradientNorm, predictedDecrease] =
-      doublesFrom(8, (out) => core()._umbilic_minimizer_progress(this.#alive, out));
-    return {
-      phase: PHASES[phase],
-      level,
-      iterations,
-      evaluations,
-      totalEvaluations,
-      energy,
-      gradientNorm,
-      predictedDecrease,
-    };
+    return this.#part('progress');
   }
 
-  /** How many levels have ended. @returns {number} */
-  get levelCount() {
-    return core()._umbilic_minimizer_level_count(this.#alive);
+  /** Complete, with every default. @returns {Required<Omit<Problem, 'start'>> & Problem} */
+  get problem() {
+    return this.#part('problem');
   }
 
-  /** @param {number} index @returns {LevelReport} */
-  #level(index) {
-    let stop = 0;
-    const numbers = doublesFrom(11, (out) => (stop = core()._umbilic_minimizer_level(this.#alive, index, out)));
-    const [level, patches, unknowns, energy, energyReported, ...rest] = numbers;
-    const [iterations, evaluations, seconds, metrics, evaluable, quadrature] = rest;
-    const metric = stringAt(core()._umbilic_minimizer_level_metric(this.#alive, index));
-    return {
-      ...{ level, patches, unknowns, energy, energyReported, iterations, evaluations, seconds, metrics, quadrature },
-      stop: /** @type {StopReason} */ (stringAt(stop)),
-      metric: /** @type {LevelReport['metric']} */ (metric),
-      evaluable: evaluable !== 0,
-    };
-  }
-
-  /** Those that have ended. @returns {LevelReport[]} */
-  get levels() {
-    return Array.from({ length: this.levelCount }, (_, index) => this.#level(index));
+  /** Counts over the cage. @returns {CageReport} */
+  get cage() {
+    return this.#part('cage');
   }
 
   /** The symmetry that the run keeps. @returns {Group} */
   get group() {
-    let name = 0;
-    const [order] = integersFrom(1, (out) => (name = core()._umbilic_minimizer_group(this.#alive, out)));
-    return { name: stringAt(name), order };
+    return this.#part('group');
+  }
+
+  /** Those that have ended. @returns {LevelReport[]} */
+  get levels() {
+    return this.#part('levels');
   }
 
   /** What the levels so far say about the limit of their energies. @returns {Limit} */
   get limit() {
-    let status = 0;
-    const [energy, order, error] = doublesFrom(
-      3,
-      (out) => (status = core()._umbilic_minimizer_limit(this.#alive, out)),
-    );
-    return { status: /** @type {LimitStatus} */ (stringAt(status)), energy, order, error };
+    return this.#part('limit');
   }
 
   /** By the reporting rule; several times the cost of a step. @returns {Energies} */
   get energies() {
-    const [bending, willmore, mvs, mvs_cross, mehlum_tarrou, second_form_variation, area, gaussian, quadratureError] =
-      doublesFrom(9, (out) => core()._umbilic_minimizer_energies(this.#alive, out));
-    return {
-      bending,
-      willmore,
-      mvs,
-      mvs_cross,
-      mehlum_tarrou,
-      second_form_variation,
-      area,
-      gaussian,
-      quadratureError,
-    };
+    return this.#part('energies');
+  }
+
+  /** The best surface so far, for a problem's `start`. @returns {{level: number, points: Float64Array}} */
+  get state() {
+    return stateOf(this.#alive);
+  }
+
+  /**
+   * All of it as a text to keep.
+   * @param {Certificate} [certificate] of this surface, whose report is ready
+   * @returns {string}
+   */
+  report(certificate) {
+    return textFrom('run_report', this.#alive, certificate?.handle ?? 0);
   }
 
   /**
@@ -307,39 +249,32 @@ export class Minimizer {
    * @returns {Certificate} @throws {InputError} for flat caps and very large meshes
    */
   certify() {
-    return new Certificate(handleFrom((out) => core()._umbilic_minimizer_certify(this.#alive, out)));
-  }
-
-  /** For `Cage.refined`. @returns {Float64Array} x, y, z of the first vertex of each orbit of the control mesh */
-  orbitPoints() {
-    let pointer = 0;
-    const [count] = integersFrom(1, (out) => (pointer = core()._umbilic_minimizer_orbit_points(this.#alive, out)));
-    return doublesAt(pointer, 3 * count);
+    return new Certificate(wordFrom('run_certify', this.#alive));
   }
 
   /** @returns {Mesh} */
   controlMesh() {
-    return withMesh((out) => core()._umbilic_minimizer_control_mesh(this.#alive, out), copyMesh);
+    return withMesh(copyMesh, 'run_control_mesh', this.#alive);
   }
 
   /** @param {number} density quads along each edge of a patch @returns {Mesh} */
   limitMesh(density) {
-    return withMesh((out) => core()._umbilic_minimizer_limit_mesh(this.#alive, density, out), copyMesh);
+    return withMesh(copyMesh, 'run_limit_mesh', this.#alive, count(density, 'the density', 1));
   }
 
   /** @returns {string} OBJ text of the control mesh */
   controlObj() {
-    return withMesh((out) => core()._umbilic_minimizer_control_mesh(this.#alive, out), meshObj);
+    return withMesh(meshObj, 'run_control_mesh', this.#alive);
   }
 
   /** @param {number} density @returns {string} OBJ text of the limit mesh */
   limitObj(density) {
-    return withMesh((out) => core()._umbilic_minimizer_limit_mesh(this.#alive, density, out), meshObj);
+    return withMesh(meshObj, 'run_limit_mesh', this.#alive, count(density, 'the density', 1));
   }
 
   /** Frees the run; a second call does nothing. */
   dispose() {
-    if (this.#handle) core()._umbilic_minimizer_destroy(this.#handle);
+    if (this.#handle) plainCall('run_destroy', this.#handle);
     this.#handle = 0;
   }
 }
@@ -353,33 +288,32 @@ export class Certificate {
     this.#handle = handle;
   }
 
-  /** @returns {number} */
-  get #alive() {
+  /** For `Minimizer.report`. @returns {number} */
+  get handle() {
     return alive(this.#handle, 'certificate');
   }
 
   /** Units of about an energy evaluation. @param {number} units @returns {boolean} whether the report is ready */
   step(units) {
-    const [done] = integersFrom(1, (out) => check(core()._umbilic_certificate_step(this.#alive, units, out)));
-    return done !== 0;
+    return wordFrom('certificate_step', this.handle, count(units, 'the number of units', 0)) !== 0;
   }
 
   /** @returns {number} from 0 to 1 */
   get progress() {
-    return core()._umbilic_certificate_progress(this.#alive);
+    return numberFrom('certificate_progress', this.handle);
   }
 
   /** Once `step` has returned true. @returns {CertificateReport} */
   get report() {
-    const [level, unknowns, gauge, tau, negative] = doublesFrom(5, (out) =>
-      core()._umbilic_certificate_report(this.#alive, out),
-    );
-    return { level, unknowns, gauge, tau, negative };
+    return valueFrom('certificate_report', this.handle);
   }
 
   /** Frees the certificate; a second call does nothing. */
   dispose() {
-    if (this.#handle) core()._umbilic_certificate_destroy(this.#handle);
+    if (this.#handle) plainCall('certificate_destroy', this.#handle);
     this.#handle = 0;
   }
 }
+
+/** A report's text as an object, in which null is NaN. @param {string} text @returns {Report} */
+export const parseReport = (text) => parse(text);

@@ -3,7 +3,7 @@
  * @file The entry of the comparison: one state, and the views that show it.
  */
 import { parseCompareAddress } from './address/compare.js';
-import { loadCatalog, loadSurface } from './files/catalog.js';
+import { loadCatalog, loadReport } from './files/catalog.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { createEffects } from './pages/compare/effects.js';
 import { initialState, reduce } from './pages/compare/reduce.js';
@@ -25,7 +25,7 @@ const makeSurface = createRequests(
 );
 const effects = createEffects({
   dispatch: (action) => dispatch(action),
-  loadSurface,
+  loadReport,
   // Where nothing is drawn, nothing need be made.
   makeSurface: (question) => (panes.draws ? makeSurface(question) : Promise.resolve('')),
   setAddress: (search) => history.replaceState(null, '', location.pathname + search),

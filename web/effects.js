@@ -4,9 +4,9 @@
  * address. Compares the state before and after; decides nothing.
  */
 import { formatStudioAddress } from './address/studio.js';
-import { fileName, reportJson } from './files/report.js';
+import { fileName } from './files/names.js';
 import { addressOf } from './state/address.js';
-import { optionsOf } from './state/settings.js';
+import { problemOf } from './state/settings.js';
 
 /** @import {EntryName} from './address/compare.js' */
 /** @import {Action, State} from './state/types.js' */
@@ -43,20 +43,14 @@ export function createEffects({ client, save, load, setAddress }) {
     const { opening } = after;
     if (!opening) return;
     const isNew = opening.run !== before.opening?.run;
-    const { run, source, settings, levelOffset, then } = opening;
+    const { run, source, settings, start, purpose, then } = opening;
     const goesOn = then !== 'hold' && { then };
     if (isNew) {
-      client.send({ type: 'open', run, source, options: optionsOf(settings, levelOffset), ...goesOn });
+      const look = purpose === 'entry' && { look: true };
+      client.send({ type: 'open', run, problem: problemOf(source, settings, start), ...look, ...goesOn });
     } else if (goesOn && then !== before.opening?.then) {
       client.send({ type: then === 'run' ? 'optimize' : 'step', run });
     }
-  }
-
-  /** @param {State} after @param {'control' | 'limit' | 'report'} what */
-  function download(after, what) {
-    if (what === 'control' && after.saved) save(fileName(after, what), after.saved.obj, 'model/obj');
-    if (what === 'report') save(fileName(after, what), reportJson(after), 'application/json');
-    if (what === 'limit') client.send({ type: 'export', run: after.run });
   }
 
   return (action, before, after) => {
@@ -87,19 +81,20 @@ export function createEffects({ client, save, load, setAddress }) {
         }
         break;
       case 'downloadPressed':
-        download(after, action.what);
+        client.send({ type: 'export', run, what: action.what });
         break;
       case 'surfaceDrawn':
         if (before.coarse) client.send({ type: 'detail', run });
         if (before.coarse && after.minimizer && after.cage?.source.kind === 'generated') {
           // What its button opens, "Minimize again".
-          const options = optionsOf(after.minimizer.settings, 0);
-          client.send({ type: 'expect', run, source: after.cage.source, options });
+          const problem = problemOf(after.cage.source, after.minimizer.settings, null);
+          if (typeof problem !== 'string') client.send({ type: 'expect', run, problem });
         }
         break;
       case 'answered':
         if (action.message.type === 'exported' && action.message.run === run) {
-          save(fileName(after, 'limit'), action.message.obj, 'model/obj');
+          const { what, text } = action.message;
+          save(fileName(after, what), text, what === 'report' ? 'application/json' : 'model/obj');
         }
         break;
     }

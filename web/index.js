@@ -4,7 +4,7 @@
  * when a download needs it.
  */
 import { parseCatalogAddress } from './address/catalog.js';
-import { loadCatalog, loadSurface } from './files/catalog.js';
+import { loadCatalog, loadReport } from './files/catalog.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { createEffects } from './pages/catalog/effects.js';
@@ -24,7 +24,7 @@ import { createRequests } from './worker/requests.js';
 const effects = createEffects({
   dispatch: (action) => dispatch(action),
   makeSurface: createRequests(() => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' })),
-  loadSurface,
+  loadReport,
   loadFormats: () => import('./files/mesh_formats.js'),
   save: saveFile,
   setAddress(search, how) {

@@ -22,6 +22,15 @@ struct CageComponent {
   int edges = 0;
   int faces = 0;
   int genus = 0;
+
+  /// Visits each member by name, for the text form of reports; see problem/members.h.
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("vertices", self.vertices, "Number of vertices");
+    visit("edges", self.edges, "Number of edges");
+    visit("faces", self.faces, "Number of faces");
+    visit("genus", self.genus, "Number of tunnels");
+  }
 };
 
 struct CageReport {
@@ -31,6 +40,16 @@ struct CageReport {
   int genus = 0;                          ///< sum over components
   std::vector<CageComponent> components;  ///< in the order of their first face
   std::vector<std::string> repairs;       ///< what validation changed, a sentence without a final period each
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("vertices", self.vertices, "Number of vertices");
+    visit("edges", self.edges, "Number of edges");
+    visit("faces", self.faces, "Number of faces");
+    visit("genus", self.genus, "Sum over the components");
+    visit("components", self.components, "In the order of their first face");
+    visit("repairs", self.repairs, "What had to be changed of the cage as it was given, a sentence each");
+  }
 };
 
 /// Where a cage's elements stand in the text that it was read from, for messages; empty when it was not read.

@@ -94,6 +94,13 @@ Result<Cage> frame(const CageName& name, CageOptions options) {
   return options.family == FrameFamily::kHub ? hub_frame(map, *shape) : flag_frame(map, *shape);
 }
 
+/// Null where there is none.
+const CageName* cage_called(std::string_view name) {
+  const std::vector<CageName>& names = cage_names();
+  const auto known = std::find_if(names.begin(), names.end(), [&](const CageName& n) { return n.name == name; });
+  return known == names.end() ? nullptr : &*known;
+}
+
 }  // namespace
 
 const std::vector<CageName>& cage_names() {
@@ -101,12 +108,22 @@ const std::vector<CageName>& cage_names() {
   return names;
 }
 
+CageParameters parameters_of(CageKind kind) {
+  const bool torus = kind == CageKind::kTorus, two = kind == CageKind::kTwoJunctions;
+  const bool frame = two || kind == CageKind::kPolyhedron;
+  return {.family = frame, .thickness = frame || torus, .spread = two, .ratio = torus, .segments = torus};
+}
+
+CageParameters parameters_of(std::string_view name) {
+  const CageName* known = cage_called(name);
+  return known ? parameters_of(known->kind) : CageParameters();
+}
+
 Result<Cage> generate_cage(std::string_view name, const CageOptions& options) {
-  const std::vector<CageName>& names = cage_names();
-  const auto known = std::find_if(names.begin(), names.end(), [&](const CageName& n) { return n.name == name; });
-  if (known == names.end()) {
+  const CageName* known = cage_called(name);
+  if (!known) {
     std::string list;
-    for (const CageName& n : names) list += (list.empty() ? "" : ", ") + n.name;
+    for (const CageName& n : cage_names()) list += (list.empty() ? "" : ", ") + n.name;
     return Error{fmt::format("there is no cage called {}; there are {}", name, list)};
   }
   switch (known->kind) {

@@ -16,6 +16,15 @@ namespace umbilic {
 /// about one thickness.
 enum class FrameFamily { kHub, kFlag };
 
+/// "hub", "flag".
+constexpr std::string_view name_of(FrameFamily family) {
+  switch (family) {
+    case FrameFamily::kHub: return "hub";
+    case FrameFamily::kFlag: return "flag";
+  }
+  return "";
+}
+
 /// An option that does not apply to a cage is ignored by it.
 struct CageOptions {
   FrameFamily family = FrameFamily::kFlag;
@@ -41,6 +50,19 @@ struct CageName {
 
 /// All generated cages, in the order of their genus within each kind.
 const std::vector<CageName>& cage_names();
+
+/// Which options apply to a cage; the others are ignored by it.
+struct CageParameters {
+  bool family = true;
+  bool thickness = true;
+  bool spread = true;
+  bool ratio = true;
+  bool segments = true;
+};
+
+CageParameters parameters_of(CageKind kind);
+/// The same for the cage called `name`; all where there is no such cage.
+CageParameters parameters_of(std::string_view name);
 
 /// The cage called `name`: validated, its faces oriented outward. Errors name the unknown name or the option out of
 /// range.

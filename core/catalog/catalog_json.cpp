@@ -7,10 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/instruction_set.h"
 #include "driver/level.h"
+#include "driver/problem_run.h"
+#include "problem/cage_of.h"
+#include "problem/text.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 namespace {
 
 template <class T>
@@ -18,26 +23,19 @@ Json optional_json(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-std::string family_name(FrameFamily family) { return family == FrameFamily::kHub ? "hub" : "flag"; }
-
-Json cage_json(const CatalogShape& shape, const CageOptions& options) {
-  return {{"generator", shape.generator}, {"family", family_name(options.family)}, {"thickness", options.thickness}};
-}
-
 /// Without seconds, which no run repeats.
-Json timeless(const std::vector<LevelReport>& levels) {
-  Json all = json_of(levels);
-  for (Json& level : all) level.erase("seconds");
-  return all;
+std::vector<LevelReport> timeless(std::vector<LevelReport> levels) {
+  for (LevelReport& level : levels) level.seconds = std::numeric_limits<double>::quiet_NaN();
+  return levels;
 }
 
 Json json_of(const SecondFamily& second, const LimitReport& first) {
-  return {{"family", family_name(second.family)},
+  return {{"family", std::string(name_of(second.family))},
           {"energy", second.limit.energy},
           {"error", second.limit.error},
           {"status", std::string(name_of(second.limit.status))},
           {"agrees", optional_json(agree(first, second.limit))},
-          {"levels", timeless(second.levels)}};
+          {"levels", part_json(timeless(second.levels))}};
 }
 
 bool all_converged(const Json& levels) {
@@ -69,16 +67,13 @@ Json json_of(const EntrySettings& settings) {
   const RunOptions& run = settings.run;
   Json second = nullptr;
   if (settings.second_family) {
-    second = {{"family", family_name(*settings.second_family)},
+    second = {{"family", std::string(name_of(*settings.second_family))},
               {"levels", {run.first_level, settings.second_last_level}}};
   }
-  return {{"cap", "smooth"},
-          {"levels", {run.first_level, run.last_level}},
-          {"tolerance", run.tolerance},
-          {"max_iterations", run.max_iterations},
-          {"symmetry", run.symmetry},
-          {"certified_faces", optional_json(settings.certified_faces)},
-          {"second_family", second}};
+  Json result = part_json(run);
+  result["certified_faces"] = optional_json(settings.certified_faces);
+  result["second_family"] = second;
+  return result;
 }
 
 Json json_of(const Entry& entry) {
@@ -94,13 +89,12 @@ Json json_of(const Entry& entry) {
     result["exact_error"] = entry.exact->error;
     result["exact_source"] = entry.exact->source;
   }
-  result["group"] = json_of(entry.group);
+  result["group"] = part_json(entry.group);
   result["settings"] = json_of(entry.settings);
-  result["energies"] = json_of(entry.energies);
-  result["quadrature_error"] = entry.energies.quadrature_error;
-  result["levels"] = timeless(entry.levels);
-  result["extrapolated"] = json_of(entry.limit);
-  result["certificate"] = entry.certificate ? json_of(*entry.certificate) : Json(nullptr);
+  result["energies"] = part_json(entry.energies);
+  result["levels"] = part_json(timeless(entry.levels));
+  result["limit"] = part_json(entry.limit);
+  result["certificate"] = entry.certificate ? part_json(*entry.certificate) : Json(nullptr);
   result["second_family"] = entry.second ? json_of(*entry.second, entry.limit) : Json(nullptr);
   const bool found = entry.status != EntryStatus::kNoneFound;
   result["minimizer"] = found ? Json(entry_name(entry.shape, entry.functional) + ".json") : Json(nullptr);
@@ -115,28 +109,33 @@ Json json_of(const StartResult& start) {
           {"level", start.last.level},          {"stop", std::string(name_of(start.last.stop))}};
 }
 
-Json minimizer_json(const Entry& entry) {
-  Json points = Json::array();
-  for (Eigen::Index i = 0; i < entry.orbit_points.size(); ++i) points.push_back(entry.orbit_points.data()[i]);
-  return {{"shape", entry.shape.name},
-          {"functional", entry.functional.name},
-          {"cage", cage_json(entry.shape, entry.settings.cage)},
-          {"level", entry.levels.back().level},
-          {"group", entry.group.name},
-          {"points", std::move(points)}};
+std::string minimizer_text(const Entry& entry, std::string_view version) {
+  Report report;
+  report.program = version;
+  report.instruction_set = name_of(instruction_set());
+  report.problem.cage = GeneratedCage{entry.shape.generator, entry.settings.cage};
+  report.problem.options = entry.settings.run;
+  report.cage = cage_of(report.problem.cage).value().report;
+  report.group = entry.group;
+  report.levels = timeless(entry.levels);
+  report.limit = entry.limit;
+  report.energies = entry.energies;
+  report.certificate = entry.certificate;
+  report.surface = SurfaceState{entry.levels.back().level, entry.orbit_points};
+  return report_text(report, JsonPrinter::Layout::kCompact);
 }
 
 Json empty_catalog(std::string_view version) {
   Json functionals = Json::array(), shapes = Json::array();
   for (const CatalogFunctional& f : catalog_functionals()) {
-    functionals.push_back({{"name", f.name}, {"weights", json_of(f.weights)}});
+    functionals.push_back({{"name", f.name}, {"weights", part_json(f.weights)}});
   }
   for (const CatalogShape& s : catalog_shapes()) {
     shapes.push_back({{"name", s.name},
                       {"genus", s.genus},
                       {"junctions", s.junctions},
                       {"arms", s.arms},
-                      {"cage", cage_json(s, {})}});
+                      {"cage", part_json(GeneratedCage{s.generator, {}})}});
   }
   return {{"version", std::string(version)},
           {"functionals", functionals},
@@ -167,26 +166,20 @@ std::string start_difference(const Json& stored, const Json& again) {
                            converged ? kConvergedReproducibility : kOtherReproducibility);
 }
 
-std::string misfit(const Json& entry, const Json& minimizer) {
-  const Json& cage = minimizer.at("cage");
-  const CageOptions options{.family = cage.at("family") == "hub" ? FrameFamily::kHub : FrameFamily::kFlag,
-                            .thickness = cage.at("thickness")};
-  const Result<Cage> coarse = generate_cage(cage.at("generator").get<std::string>(), options);
-  if (!coarse) return coarse.error().message;
-  const std::vector<double> numbers = minimizer.at("points");
-  if (numbers.size() % 3 != 0) return "its points have not three coordinates each";
-  const Points points = Eigen::Map<const Points>(numbers.data(), static_cast<Eigen::Index>(numbers.size() / 3), 3);
-  const Result<SymmetricCage> surface = symmetric_cage(*coarse, minimizer.at("level"), points);
-  if (!surface) return surface.error().message;
-  RunOptions still{.weights = functional_called(entry.at("functional").get<std::string>()).weights, .last_level = 0};
-  const Result<Run> run = Run::create(*surface, still);
+std::string misfit(const Json& entry, std::string_view minimizer) {
+  const Result<Problem> problem = parse_problem(minimizer);
+  if (!problem) return problem.error().message;
+  if (!problem->start) return "it holds no surface";
+  const Result<ProblemRun> run = begin_run(*problem);
   if (!run) return run.error().message;
-  const Json energies = json_of(run->energies());
-  for (const auto& [name, stored] : entry.at("energies").items()) {
-    const std::string what = energy_difference(energies.at(name), stored, kSurfaceReproducibility, kSurfaceFloor);
+  const Json energies = part_json(run->run.energies());
+  const Json& stored = entry.at("energies");
+  for (const auto& [name, energy] : energies.items()) {
+    if (!energy.is_number() || name == "quadrature_error") continue;
+    const std::string what = energy_difference(energy, stored.at(name), kSurfaceReproducibility, kSurfaceFloor);
     if (!what.empty()) return fmt::format("{} of the stored surface: {}", name, what);
   }
   return "";
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

@@ -3,9 +3,9 @@
 /// The catalog's files: catalog.json with every number, and one file per minimizer with its points.
 ///
 /// catalog.json: {"version", "functionals": [{"name", "weights"}], "shapes": [{"name", "genus", "junctions", "arms",
-/// "cage"}], "entries": […], "starts": […]}. A minimizer's file, <shape>.<functional>.json: {"shape", "functional",
-/// "cage", "level", "group", "points": [x, y, z, …]}, see driver/symmetric_cage.h. Numbers have all their digits, and
-/// none is a time.
+/// "cage"}], "entries": […], "starts": […]}, with the parts of reports under their names. A minimizer's file,
+/// <shape>.<functional>.json, is the report of its run, see problem/text.h. Numbers have all their digits, and none is
+/// a time.
 #pragma once
 
 #include <string>
@@ -14,17 +14,18 @@
 #include "catalog/entry.h"
 #include "catalog/report_json.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 
 /// "two-3.bending".
 std::string entry_name(const CatalogShape& shape, const CatalogFunctional& functional);
 
-/// {"cap", "levels", "tolerance", "max_iterations", "symmetry", "certified_faces", "second_family"}.
+/// A problem's options, with "certified_faces" and "second_family".
 Json json_of(const EntrySettings& settings);
 
 Json json_of(const Entry& entry);
 Json json_of(const StartResult& start);
-Json minimizer_json(const Entry& entry);
+/// The report of a version of the program, in one line.
+std::string minimizer_text(const Entry& entry, std::string_view version);
 
 /// Everything but entries and starts.
 Json empty_catalog(std::string_view version);
@@ -40,6 +41,6 @@ std::string difference(const Json& stored, const Json& again);
 std::string start_difference(const Json& stored, const Json& again);
 
 /// Empty where the surface in a minimizer's file has the energies of its entry, to 1e-9; else what does not fit.
-std::string misfit(const Json& entry, const Json& minimizer);
+std::string misfit(const Json& entry, std::string_view minimizer);
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace umbilic {
+namespace umbilic::catalog {
 namespace {
 
 /// Relative error bars beyond this say no more than an upper bound does.
@@ -175,4 +175,4 @@ std::optional<bool> agree(const LimitReport& a, const LimitReport& b) {
   return std::abs(a.energy - b.energy) <= a.error + b.error;
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

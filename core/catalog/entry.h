@@ -11,7 +11,7 @@
 #include "catalog/reference.h"
 #include "catalog/settings.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 
 enum class EntryStatus {
   kConverged,           ///< the levels' energies tend to `energy` +- `error`
@@ -67,4 +67,4 @@ std::optional<StartResult> compute_start(const Start& start, const EntrySettings
 /// Whether two results agree within their error bars; nothing where one has none.
 std::optional<bool> agree(const LimitReport& a, const LimitReport& b);
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

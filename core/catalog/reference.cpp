@@ -10,7 +10,7 @@
 
 #include "energy/torus.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -53,4 +53,4 @@ std::optional<ExactEnergy> exact_energy(const CatalogShape& shape, const Catalog
   return std::nullopt;
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

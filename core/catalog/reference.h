@@ -9,7 +9,7 @@
 
 #include "catalog/shapes.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 
 struct ExactEnergy {
   double energy;       ///< the least, or the infimum
@@ -28,4 +28,4 @@ std::optional<ExactEnergy> lawson_bending(int genus);
 /// Nothing where the energy is not known.
 std::optional<ExactEnergy> exact_energy(const CatalogShape& shape, const CatalogFunctional& functional);
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

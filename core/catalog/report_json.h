@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Reports of runs as parts of JSON objects, the same for the catalog and the command line. Numbers that are not finite
-/// become null.
+/// Parts of reports as JSON objects, with the names and the digits of their text form (problem/text.h), so that they
+/// can be put together and compared.
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <vector>
 
-#include "problem/report.h"
+#include "problem/print.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 
 /// Keeps its keys in the order in which they were added.
 using Json = nlohmann::ordered_json;
 
-/// {"bending": 1}: those that are not 0.
-Json json_of(const Weights& weights);
-/// {"name", "order"}.
-Json json_of(const GroupReport& group);
-/// The functionals, "area", "gaussian"; not the quadrature error.
-Json json_of(const EnergyReport& energies);
-Json json_of(const LimitReport& limit);
-Json json_of(const CertificateReport& certificate);
-Json json_of(const LevelReport& level);
-Json json_of(const std::vector<LevelReport>& levels);
+template <class T>
+Json part_json(const T& part) {
+  return Json::parse(json_text(part));
+}
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-namespace umbilic {
+namespace umbilic::catalog {
 namespace {
 
 class Queue {
@@ -66,4 +66,4 @@ double cost_of(const CatalogShape& shape, const EntrySettings& settings) {
   return cost * (1 + 0.1 * shape.arms);
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

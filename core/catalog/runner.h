@@ -9,7 +9,7 @@
 
 #include "catalog/entry.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 
 /// What a thread works on, to its end unless `watch` ends it.
 struct CatalogTask {
@@ -34,4 +34,4 @@ bool run_tasks(std::vector<CatalogTask> tasks, int jobs, const std::function<boo
 /// Relative cost of an entry, from its unknowns, which are the same for all frames of one family, and its levels.
 double cost_of(const CatalogShape& shape, const EntrySettings& settings);
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

@@ -8,7 +8,7 @@
 #include "catalog/reference.h"
 #include "driver/certificate.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 namespace {
 
 /// MVS minimizers do not settle: more iterations buy an upper bound that the next level lowers anyway.
@@ -82,4 +82,4 @@ EntrySettings start_settings(const Start& start, int last_level) {
 const CatalogShape& shape_called(std::string_view name) { return called(catalog_shapes(), name); }
 const CatalogFunctional& functional_called(std::string_view name) { return called(catalog_functionals(), name); }
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

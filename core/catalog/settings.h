@@ -8,7 +8,7 @@
 #include "catalog/shapes.h"
 #include "driver/run.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 
 struct EntrySettings {
   CageOptions cage;
@@ -37,4 +37,4 @@ EntrySettings start_settings(const Start& start, int last_level);
 const CatalogShape& shape_called(std::string_view name);
 const CatalogFunctional& functional_called(std::string_view name);
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-namespace umbilic {
+namespace umbilic::catalog {
 namespace {
 
 struct PaperRow {
@@ -67,4 +67,4 @@ std::optional<double> paper_energy(const CatalogShape& shape, const CatalogFunct
   return std::nullopt;
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

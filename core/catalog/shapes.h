@@ -10,7 +10,7 @@
 #include "cage/generate.h"
 #include "energy/functional.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 
 struct CatalogShape {
   std::string name;
@@ -35,4 +35,4 @@ const std::vector<CatalogFunctional>& catalog_functionals();
 /// What Joshi & Sequin 2007, Table 1, print for the minimizer.
 std::optional<double> paper_energy(const CatalogShape& shape, const CatalogFunctional& functional);
 
-}  // namespace umbilic
+}  // namespace umbilic::catalog

@@ -4,29 +4,46 @@
 #include "cli/arguments.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/instruction_set.h"
 #include "cage/text.h"
+#include "problem/members.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, CapKind>, 3> kCaps{
-    {{"smooth", CapKind::kSmooth}, {"flat", CapKind::kFlat}, {"none", CapKind::kNone}}};
+/// The enumerator of that name.
+template <class E>
+Result<E> called(const std::string& name) {
+  const auto names = names_of<E>();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return Error{fmt::format("{} is none of {}", in_quotes(name), fmt::join(names, ", "))};
+  return static_cast<E>(found - names.begin());
+}
 
-Result<CapKind> cap_called(const std::string& name) {
-  for (const auto& [known, kind] : kCaps) {
-    if (known == name) return kind;
-  }
-  return Error{fmt::format("{} is not smooth, flat or none", in_quotes(name))};
+/// The weights of one functional alone.
+Weights single(int functional) {
+  Weights weights{};
+  weights[functional] = 1;
+  return weights;
 }
 
 }  // namespace
+
+const char* const kFunctionalWords = "The functional, see below";
+const char* const kWeightsWords = "Or a weighted sum of functionals, as in bending=0.95,mvs_cross=0.05";
+const char* const kCapWords =
+    "Surface near extraordinary vertices: smooth (polynomial, energies converge),\n"
+    "flat (the tangent plane, as Joshi & Sequin 2007) or none (the limit surface itself,\n"
+    "where third-order energies diverge) [smooth]";
+
+Result<CapKind> parse_cap(const std::string& name) { return called<CapKind>(name); }
+Result<MetricChoice> parse_metric(const std::string& name) { return called<MetricChoice>(name); }
 
 void add_cage_argument(CLI::App& command, std::string& path) {
   command.add_option("CAGE", path, "OBJ or OFF file of a closed polygon mesh, or - for standard input")
@@ -37,12 +54,9 @@ void add_cage_argument(CLI::App& command, std::string& path) {
 void add_cap_option(CLI::App& command, CapKind& cap) {
   command
       .add_option_function<std::string>(
-          "--cap", [&cap](const std::string& name) { cap = cap_called(name).value(); },
-          "Surface near extraordinary vertices: smooth (polynomial, energies converge),\n"
-          "flat (the tangent plane, as Joshi & Sequin 2007) or none (the limit surface itself,\n"
-          "where third-order energies diverge) [smooth]")
+          "--cap", [&cap](const std::string& name) { cap = parse_cap(name).value(); }, kCapWords)
       ->type_name("CAP")
-      ->check(checked(cap_called));
+      ->check(checked(parse_cap));
 }
 
 void add_instruction_set_option(CLI::App& app) {
@@ -55,40 +69,27 @@ void add_instruction_set_option(CLI::App& app) {
 
 void add_json_flag(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print JSON instead of a table"); }
 
-std::string_view name_of(CapKind cap) {
-  for (const auto& [name, kind] : kCaps) {
-    if (kind == cap) return name;
-  }
-  return "";
-}
-
-std::string Objective::words() const {
-  if (!functional.empty()) return functional;
+std::string words(const Weights& weights) {
   std::string sum;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
+  for (int i = 0; i < kFunctionalCount; ++i) {
+    if (weights == single(i)) return std::string(kFunctionalNames[i]);
     if (weights[i] != 0) sum += fmt::format("{}{} {}", sum.empty() ? "" : " + ", weights[i], kFunctionalNames[i]);
   }
   return sum;
 }
 
-void add_objective_options(CLI::App& command, Objective& objective) {
+void add_terms_options(CLI::App& command, Weights& weights) {
   CLI::Option* functional = command.add_option_function<std::string>(
-      "--functional",
-      [&objective](const std::string& name) {
-        objective.functional = name;
-        objective.weights = weights_of(name).value();
-      },
-      "The functional, see below");
+      "--functional", [&weights](const std::string& name) { weights = weights_of(name).value(); }, kFunctionalWords);
   functional->type_name("NAME")->check(checked([](const std::string& name) { return weights_of(name); }));
-  CLI::Option* weights = command.add_option_function<std::string>(
-      "--weights", [&objective](const std::string& text) { objective.weights = parse_weights(text).value(); },
-      "Or a weighted sum of functionals, as in bending=0.95,mvs_cross=0.05");
-  weights->type_name("SUM")->check(checked([](const std::string& text) { return parse_weights(text); }));
-  weights->excludes(functional);
+  CLI::Option* sum = command.add_option_function<std::string>(
+      "--weights", [&weights](const std::string& text) { weights = parse_weights(text).value(); }, kWeightsWords);
+  sum->type_name("SUM")->check(checked([](const std::string& text) { return parse_weights(text); }));
+  sum->excludes(functional);
 }
 
-void require_objective(const Objective& objective) {
-  if (objective.weights == Weights{}) throw CLI::RequiredError("--functional or --weights");
+void require_terms(const Weights& weights) {
+  if (weights == Weights{}) throw CLI::RequiredError("--functional or --weights");
 }
 
 Result<int> parse_count(std::string_view text, int least, int most) {
@@ -122,4 +123,4 @@ std::string functional_help() {
          "  second_form_variation   A * integral of |grad II|^2";
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

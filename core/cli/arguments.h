@@ -8,9 +8,10 @@
 
 #include "base/result.h"
 #include "energy/functional.h"
+#include "problem/metric_choice.h"
 #include "surface/cap_kind.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 /// CAGE, required.
 void add_cage_argument(CLI::App& command, std::string& path);
@@ -18,29 +19,28 @@ void add_cage_argument(CLI::App& command, std::string& path);
 /// --cap; `cap` holds the default.
 void add_cap_option(CLI::App& command, CapKind& cap);
 
+/// What the options of a problem say in help texts.
+extern const char* const kFunctionalWords;
+extern const char* const kWeightsWords;
+extern const char* const kCapWords;
+
+Result<CapKind> parse_cap(const std::string& name);
+Result<MetricChoice> parse_metric(const std::string& name);
+
 /// --instruction-set; takes effect before the command runs.
 void add_instruction_set_option(CLI::App& app);
 
 /// --json.
 void add_json_flag(CLI::App& command, bool& json);
 
-/// "none", "flat", "smooth".
-std::string_view name_of(CapKind cap);
-
-/// What a run minimizes, as the user named it.
-struct Objective {
-  std::string functional;  ///< empty when weights were given
-  Weights weights{};
-
-  /// "bending", or "0.95 bending + 0.05 mvs_cross".
-  std::string words() const;
-};
+/// The terms whose sum is minimized: "bending", or "0.95 bending + 0.05 mvs_cross".
+std::string words(const Weights& weights);
 
 /// --functional and --weights, not both.
-void add_objective_options(CLI::App& command, Objective& objective);
+void add_terms_options(CLI::App& command, Weights& weights);
 
 /// Ends parsing with an error where neither was given.
-void require_objective(const Objective& objective);
+void require_terms(const Weights& weights);
 
 /// Refuses an argument with the message of the Result that `parse` makes of it.
 template <class Parse>
@@ -69,4 +69,4 @@ Result<LevelRange> parse_levels(std::string_view text);
 /// The formulas of the functionals, for help texts.
 std::string functional_help();
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

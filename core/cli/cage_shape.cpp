@@ -6,7 +6,7 @@
 #include "mesh/hierarchy.h"
 #include "mesh/polygon_mesh.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 CageShape shape_of(const Cage& cage) {
   CageShape shape;
@@ -22,4 +22,4 @@ CageShape shape_of(const Cage& cage) {
   return shape;
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -9,7 +9,7 @@
 
 #include "cage/cage.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 struct CageShape {
   std::map<int, int> valences;     ///< valence -> number of vertices
@@ -21,4 +21,4 @@ struct CageShape {
 /// `cage` has passed `validate`.
 CageShape shape_of(const Cage& cage);
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

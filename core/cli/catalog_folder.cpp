@@ -10,8 +10,11 @@
 
 #include "cli/files.h"
 #include "cli/version.h"
+#include "problem/text.h"
 
-namespace umbilic {
+namespace umbilic::cli {
+
+using namespace catalog;
 
 namespace {
 
@@ -87,7 +90,9 @@ const Json* CatalogFolder::start(const Start& start) const {
 bool CatalogFolder::has(const CatalogShape& shape, const CatalogFunctional& functional,
                         const EntrySettings& settings) const {
   const Json* stored = entry(shape, functional);
-  return stored && stored->at("settings") == json_of(settings) && minimizer(*stored).ok();
+  if (!stored || stored->at("settings") != json_of(settings)) return false;
+  const Result<std::string> report = minimizer(*stored);
+  return report && parse_report(*report).ok();
 }
 
 bool CatalogFolder::has(const Start& wanted, const EntrySettings& settings) const {
@@ -95,14 +100,14 @@ bool CatalogFolder::has(const Start& wanted, const EntrySettings& settings) cons
   return stored && stored->at("level") == settings.run.last_level;
 }
 
-Result<Json> CatalogFolder::minimizer(const Json& entry) const {
-  return read_json((fs::path(path_) / entry.at("minimizer").get<std::string>()).string());
+Result<std::string> CatalogFolder::minimizer(const Json& entry) const {
+  return read_file((fs::path(path_) / entry.at("minimizer").get<std::string>()).string());
 }
 
 std::optional<Error> CatalogFolder::keep(const Entry& entry) {
   Json json = json_of(entry);
   const fs::path file = fs::path(path_) / json.at("minimizer").get<std::string>();
-  if (auto error = write_file(file.string(), minimizer_json(entry).dump() + "\n")) return error;
+  if (auto error = write_file(file.string(), minimizer_text(entry, version()))) return error;
   insert(catalog_["entries"], std::move(json));
   return write();
 }
@@ -116,4 +121,4 @@ std::optional<Error> CatalogFolder::write() const {
   return write_file((fs::path(path_) / "catalog.json").string(), catalog_.dump(1) + "\n");
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -8,7 +8,7 @@
 
 #include "catalog/catalog_json.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 class CatalogFolder {
  public:
@@ -16,26 +16,27 @@ class CatalogFolder {
   static Result<CatalogFolder> open(std::string path);
 
   /// The stored entry or start, or null.
-  const Json* entry(const CatalogShape& shape, const CatalogFunctional& functional) const;
-  const Json* start(const Start& start) const;
+  const catalog::Json* entry(const catalog::CatalogShape& shape, const catalog::CatalogFunctional& functional) const;
+  const catalog::Json* start(const catalog::Start& start) const;
 
   /// Whether the entry is there with its file and was computed with these settings.
-  bool has(const CatalogShape& shape, const CatalogFunctional& functional, const EntrySettings& settings) const;
-  bool has(const Start& start, const EntrySettings& settings) const;
+  bool has(const catalog::CatalogShape& shape, const catalog::CatalogFunctional& functional,
+           const catalog::EntrySettings& settings) const;
+  bool has(const catalog::Start& start, const catalog::EntrySettings& settings) const;
 
-  /// The stored minimizer; errors name the file.
-  Result<Json> minimizer(const Json& entry) const;
+  /// The stored minimizer's report; errors name the file.
+  Result<std::string> minimizer(const catalog::Json& entry) const;
 
   /// Replaces what is there, in the files as well.
-  std::optional<Error> keep(const Entry& entry);
-  std::optional<Error> keep(const StartResult& start);
+  std::optional<Error> keep(const catalog::Entry& entry);
+  std::optional<Error> keep(const catalog::StartResult& start);
 
  private:
   explicit CatalogFolder(std::string path);
   std::optional<Error> write() const;
 
   std::string path_;
-  Json catalog_;
+  catalog::Json catalog_;
 };
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -12,7 +12,7 @@
 #include "cli/exit_code.h"
 #include "cli/version.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 int run_command_line(int argc, const char* const* argv) {
   CLI::App app("umbilic: surfaces that minimize curvature energies, from Catmull-Clark control cages", "umbilic");
@@ -51,4 +51,4 @@ int run_command_line(int argc, const char* const* argv) {
   return exit_code;
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

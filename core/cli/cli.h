@@ -3,9 +3,9 @@
 /// The program `umbilic`: parses the command line and runs one command.
 #pragma once
 
-namespace umbilic {
+namespace umbilic::cli {
 
 /// Returns the exit code. Results go to standard output and files, everything else to standard error.
 int run_command_line(int argc, const char* const* argv);
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

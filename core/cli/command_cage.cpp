@@ -15,7 +15,7 @@
 #include "cli/exit_code.h"
 #include "cli/files.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -122,4 +122,4 @@ void add_cage_command(CLI::App& app, int& exit_code) {
   command->callback([arguments, command, &exit_code] { exit_code = run(*command, *arguments); });
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

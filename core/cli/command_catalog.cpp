@@ -3,6 +3,7 @@
 /// `umbilic catalog`: computes the catalog, or computes it again and compares.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -20,7 +21,9 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 
-namespace umbilic {
+namespace umbilic::cli {
+
+using namespace catalog;
 
 namespace {
 
@@ -92,7 +95,7 @@ class Session {
     if (!stored) return compare(name, "it is not in the catalog");
     std::string what = difference(*stored, json_of(entry));
     if (what.empty()) {
-      const Result<Json> minimizer = folder_.minimizer(*stored);
+      const Result<std::string> minimizer = folder_.minimizer(*stored);
       what = minimizer ? misfit(*stored, *minimizer) : minimizer.error().message;
     }
     compare(name, what);
@@ -180,4 +183,4 @@ void add_catalog_command(CLI::App& app, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -5,37 +5,36 @@
 
 #include <memory>
 
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/documents.h"
 #include "cli/exit_code.h"
-#include "cli/json_report.h"
+#include "cli/files.h"
 #include "cli/tables.h"
+#include "cli/version.h"
 #include "driver/run.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
 struct CheckGradientArguments {
   std::string cage;
-  Objective objective;
+  Weights terms{};
   CapKind cap = CapKind::kSmooth;
   bool json = false;
 };
 
 std::string json(const CageFile& input, const CheckGradientArguments& arguments, const GradientReport& gradient) {
-  Json report = json_report(input);
-  add_objective(report, arguments.objective);
-  add_cap(report, arguments.cap);
-  add_gradient(report, gradient);
-  return to_text(report);
+  const GradientDocument document{std::string(version()), input.report, arguments.terms, arguments.cap, gradient};
+  return document_text("gradient", document, JsonPrinter::Layout::kIndented);
 }
 
 std::string table(const CageFile& input, const CheckGradientArguments& arguments, const GradientReport& gradient) {
-  return input_line(input) +
-         fmt::format("gradient of {} at level {}, cap {}: {} unknowns, {} random directions\n",
-                     arguments.objective.words(), gradient.level, name_of(arguments.cap), gradient.unknowns,
-                     gradient.directions) +
+  return input_line(input.name, input.report) +
+         fmt::format("gradient of {} at level {}, cap {}: {} unknowns, {} random directions\n", words(arguments.terms),
+                     gradient.level, name_of(arguments.cap), gradient.unknowns, gradient.directions) +
          fmt::format("  analytic derivative    {:>24.16g}   in the worst direction\n", gradient.analytic) +
          fmt::format("  central difference     {:>24.16g}\n", gradient.difference) +
          fmt::format("  relative mismatch      {:>24.3e}   {} {:.0e}: {}\n", gradient.relative_mismatch,
@@ -45,7 +44,7 @@ std::string table(const CageFile& input, const CheckGradientArguments& arguments
 int run(const CheckGradientArguments& arguments) {
   const auto input = load_cage(arguments.cage);
   if (!input) return fail(kBadInput, input.error().message);
-  const auto gradient = check_gradient(input->cage, arguments.objective.weights, arguments.cap);
+  const auto gradient = check_gradient(input->cage, arguments.terms, arguments.cap);
   if (!gradient) return fail(kBadInput, fmt::format("{}: {}", input->name, gradient.error().message));
   const std::string text = arguments.json ? json(*input, arguments, *gradient) : table(*input, arguments, *gradient);
   if (!print(text)) return kCannotWrite;
@@ -59,14 +58,14 @@ void add_check_gradient_command(CLI::App& app, int& exit_code) {
       "check-gradient", "Compare the analytic gradient with differences of the energy; exit code 1 on a mismatch");
   const auto arguments = std::make_shared<CheckGradientArguments>();
   add_cage_argument(*command, arguments->cage);
-  add_objective_options(*command, arguments->objective);
+  add_terms_options(*command, arguments->terms);
   add_cap_option(*command, arguments->cap);
   add_json_flag(*command, arguments->json);
   command->footer(functional_help());
   command->callback([arguments, &exit_code] {
-    require_objective(arguments->objective);
+    require_terms(arguments->terms);
     exit_code = run(*arguments);
   });
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -5,14 +5,18 @@
 
 #include <memory>
 
+#include "base/instruction_set.h"
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/documents.h"
 #include "cli/exit_code.h"
-#include "cli/json_report.h"
+#include "cli/files.h"
 #include "cli/tables.h"
+#include "cli/version.h"
 #include "driver/run.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -24,11 +28,9 @@ struct EvaluateArguments {
 };
 
 std::string json(const CageFile& input, const EvaluateArguments& arguments, const EvaluationReport& evaluation) {
-  Json report = json_report(input);
-  add_cap(report, arguments.cap);
-  add_energies(report, evaluation.energies);
-  add_levels(report, evaluation);
-  return to_text(report);
+  const EvaluationDocument document{std::string(version()), std::string(name_of(instruction_set())), input.report,
+                                    arguments.cap, evaluation};
+  return document_text("evaluation", document, JsonPrinter::Layout::kIndented);
 }
 
 int run(const EvaluateArguments& arguments) {
@@ -37,7 +39,7 @@ int run(const EvaluateArguments& arguments) {
   const auto evaluation = evaluate(input->cage, arguments.cap, arguments.levels);
   if (!evaluation) return fail(kBadInput, fmt::format("{}: {}", input->name, evaluation.error().message));
   const std::string text = arguments.json ? json(*input, arguments, *evaluation)
-                                          : input_line(*input) +
+                                          : input_line(input->name, input->report) +
                                                 fmt::format("level {}, {} patches, cap {}\n", evaluation->level,
                                                             evaluation->patches, name_of(arguments.cap)) +
                                                 energy_table(evaluation->energies, "bending") +
@@ -65,4 +67,4 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -8,11 +8,13 @@
 #include "cli/cage_shape.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/documents.h"
 #include "cli/exit_code.h"
-#include "cli/json_report.h"
+#include "cli/files.h"
 #include "cli/tables.h"
+#include "cli/version.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -30,7 +32,7 @@ std::string histogram_line(std::string_view what, const std::map<int, int>& hist
 
 std::string table(const CageFile& input) {
   const CageShape shape = shape_of(input.cage);
-  std::string text = input_line(input);
+  std::string text = input_line(input.name, input.report);
   if (input.report.components.size() > 1) {
     for (std::size_t i = 0; i < input.report.components.size(); ++i) {
       const CageComponent& c = input.report.components[i];
@@ -44,10 +46,15 @@ std::string table(const CageFile& input) {
                                    : fmt::format("  its surface cannot be evaluated: {}\n", shape.obstacle));
 }
 
+std::string json(const CageFile& input) {
+  const CageDocument document{std::string(version()), input.report, shape_of(input.cage)};
+  return document_text("cage", document, JsonPrinter::Layout::kIndented);
+}
+
 int run(const InfoArguments& arguments) {
   const auto input = load_cage(arguments.cage);
   if (!input) return fail(kBadInput, input.error().message);
-  return print(arguments.json ? to_text(json_report(*input)) : table(*input)) ? kEnded : kCannotWrite;
+  return print(arguments.json ? json(*input) : table(*input)) ? kEnded : kCannotWrite;
 }
 
 }  // namespace
@@ -60,4 +67,4 @@ void add_info_command(CLI::App& app, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

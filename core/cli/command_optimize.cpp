@@ -3,34 +3,41 @@
 /// `umbilic optimize`: a run from a cage to files and tables.
 #include <fmt/format.h>
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 
 #include "cage/text.h"
 #include "cage/write.h"
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/files.h"
 #include "cli/interrupt.h"
-#include "cli/json_report.h"
+#include "cli/problem_file.h"
 #include "cli/tables.h"
-#include "driver/run.h"
+#include "cli/version.h"
+#include "driver/problem_run.h"
+#include "problem/text.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
 struct OptimizeArguments {
-  std::string cage;
-  Objective objective;
-  RunOptions options;
+  std::string input;
+  /// What the flags ask for instead of what a problem's file says.
+  std::vector<std::function<void(RunOptions&)>> changes;
   std::optional<std::string> output;
   std::optional<std::string> limit_mesh;
   std::optional<std::string> report;
   int density = 4;
   bool certify = false;
   bool quiet = false;
+  bool print_problem = false;
+  bool print_schema = false;
 
   /// The outputs that are wanted.
   std::vector<std::string> outputs() const {
@@ -52,12 +59,13 @@ std::optional<std::string> shared_output(const std::vector<std::string>& outputs
   return std::nullopt;
 }
 
-Result<MetricChoice> parse_metric(const std::string& name) {
-  for (int i = 0; i < kMetricChoiceCount; ++i) {
-    if (name == kMetricChoiceNames[i]) return static_cast<MetricChoice>(i);
-  }
-  return Error{fmt::format("{} is none of auto, identity, sobolev, hessian", in_quotes(name))};
+Result<double> parse_tolerance(const std::string& text) {
+  const Result<double> number = parse_real(text);
+  if (number && *number < 0) return Error{fmt::format("{} is negative", in_quotes(text))};
+  return number;
 }
+
+Result<int> parse_iterations(const std::string& text) { return parse_count(text, 0, std::numeric_limits<int>::max()); }
 
 void minimize(Run& run, const InterruptWatch& watch, bool quiet) {
   ProgressLine line(quiet);
@@ -70,32 +78,27 @@ void minimize(Run& run, const InterruptWatch& watch, bool quiet) {
 
 /// What there is to say of a run when it has ended.
 struct Ending {
-  const Run& run;
+  const std::string& cage;  ///< its name
+  const ProblemRun& run;
   std::optional<CertificateReport> certificate;
 };
 
-std::string json(const CageFile& input, const OptimizeArguments& arguments, const Ending& ending) {
-  const Run& run = ending.run;
-  Json report = json_report(input);
-  add_objective(report, arguments.objective);
-  add_cap(report, arguments.options.cap);
-  add_group(report, run.group());
-  add_energies(report, run.energies());
-  add_limit(report, run.limit());
-  add_levels(report, run.levels());
-  if (ending.certificate) add_certificate(report, *ending.certificate);
-  return to_text(report);
+std::string json(const Ending& ending) {
+  Report report = ending.run.report();
+  report.program = version();
+  report.certificate = ending.certificate;
+  return report_text(report);
 }
 
-std::string table(const CageFile& input, const OptimizeArguments& arguments, const Ending& ending) {
-  const Run& run = ending.run;
-  return input_line(input) +
-         fmt::format("minimized {}, cap {}, {}\n", arguments.objective.words(), name_of(arguments.options.cap),
-                     group_words(run.group())) +
+std::string table(const Ending& ending) {
+  const Run& run = ending.run.run;
+  const RunOptions& options = ending.run.problem.options;
+  const std::string objective = words(options.weights);
+  return input_line(ending.cage, ending.run.cage) +
+         fmt::format("minimized {}, cap {}, {}\n", objective, name_of(options.cap), group_words(run.group())) +
          level_table(run.levels()) + limit_line(run.limit()) +
          (ending.certificate ? certificate_line(*ending.certificate, run.group()) : "") +
-         "energies of the last level\n" + energy_table(run.energies(), arguments.objective.words()) +
-         gauss_bonnet_line(run.energies());
+         "energies of the last level\n" + energy_table(run.energies(), objective) + gauss_bonnet_line(run.energies());
 }
 
 /// Nothing when the user interrupts.
@@ -111,8 +114,8 @@ Result<std::optional<CertificateReport>> certify(const Run& run, const Interrupt
 }
 
 /// Writes everything that can be written, whatever fails.
-int write_results(const CageFile& input, const OptimizeArguments& arguments, const Ending& ending) {
-  const Run& run = ending.run;
+int write_results(const OptimizeArguments& arguments, const Ending& ending) {
+  const Run& run = ending.run.run;
   int exit_code = kEnded;
   const auto write = [&](const std::optional<std::string>& path, const auto& text) {
     if (!path) return;
@@ -126,87 +129,104 @@ int write_results(const CageFile& input, const OptimizeArguments& arguments, con
       exit_code = fail(kBadInput, mesh.error().message);
     }
   }
-  write(arguments.report, [&] { return json(input, arguments, ending); });
+  write(arguments.report, [&] { return json(ending); });
   for (const std::string& path : arguments.outputs()) {
     if (path == "-") return exit_code;  // the table would spoil what stands there
   }
-  return print(table(input, arguments, ending)) ? exit_code : kCannotWrite;
+  return print(table(ending)) ? exit_code : kCannotWrite;
+}
+
+/// The problem of the command line.
+Result<ProblemFile> asked(const OptimizeArguments& arguments) {
+  Result<ProblemFile> file = load_problem(arguments.input);
+  if (!file) return file.error();
+  for (const auto& change : arguments.changes) change(file->problem.options);
+  return file;
 }
 
 int run(const OptimizeArguments& arguments) {
+  if (arguments.print_schema) return print(schema_text()) ? kEnded : kCannotWrite;
+  if (arguments.input.empty()) return fail(kBadUsage, "INPUT is required");
   const std::vector<std::string> outputs = arguments.outputs();
   if (const auto path = shared_output(outputs))
     return fail(kBadUsage, fmt::format("two results would go to {}", *path));
-  const auto input = load_cage(arguments.cage);
-  if (!input) return fail(kBadInput, input.error().message);
+  const Result<ProblemFile> file = asked(arguments);
+  if (!file) return fail(kBadInput, file.error().message);
+  if (file->problem.options.weights == Weights{})
+    return fail(kBadUsage, "--functional or --weights is required with a cage");
+  if (Error error; !in_range(file->problem.options, error)) return fail(kBadUsage, error.message);
+  if (arguments.print_problem) return print(problem_text(file->problem)) ? kEnded : kCannotWrite;
   for (const std::string& path : outputs) {
     if (const auto error = check_writable(path)) return fail(kCannotWrite, error->message);
   }
-  auto run = Run::create(input->cage, arguments.options);
-  if (!run) return fail(kBadInput, fmt::format("{}: {}", input->name, run.error().message));
+  auto run = begin_run(file->problem);
+  if (!run) return fail(kBadInput, run.error().message);
   const InterruptWatch watch;  // also while the results are written: they are what the run was for
-  minimize(*run, watch, arguments.quiet);
-  Ending ending{*run, std::nullopt};
+  minimize(run->run, watch, arguments.quiet);
+  Ending ending{file->cage, *run, std::nullopt};
   int exit_code = kEnded;
   if (arguments.certify && !watch.interrupted()) {
-    const Result<std::optional<CertificateReport>> certificate = certify(*run, watch);
+    const Result<std::optional<CertificateReport>> certificate = certify(run->run, watch);
     if (certificate) {
       ending.certificate = *certificate;
     } else {
       exit_code = fail(kBadInput, certificate.error().message);
     }
   }
-  const int written = write_results(*input, arguments, ending);
+  const int written = write_results(arguments, ending);
   return written == kEnded ? exit_code : written;
 }
 
-void add_level_options(CLI::App& command, RunOptions& options) {
-  command
+/// An option that changes the problem, where it is given.
+template <class Parse, class Apply>
+CLI::Option* add_change(CLI::App& command, const std::shared_ptr<OptimizeArguments>& arguments, const char* name,
+                        const char* type, const char* words, const Parse& parse, const Apply& apply) {
+  return command
       .add_option_function<std::string>(
-          "--levels",
-          [&options](const std::string& text) {
-            const LevelRange range = parse_levels(text).value();
-            options.first_level = range.first;
-            options.last_level = range.last;
+          name,
+          [arguments, parse, apply](const std::string& text) {
+            const auto value = parse(text).value();
+            arguments->changes.push_back([value, apply](RunOptions& options) { apply(options, value); });
           },
-          "Minimize, subdivide, minimize: from A to B Catmull-Clark steps of the cage;\n"
-          "where the cage is too coarse to be evaluated, a finer mesh is [0..2]")
-      ->type_name("A..B")
-      ->check(checked(parse_levels));
-  const auto parse_iterations = [](const std::string& text) {
-    return parse_count(text, 0, std::numeric_limits<int>::max());
-  };
-  command
-      .add_option_function<std::string>(
-          "--max-iterations",
-          [&options, parse_iterations](const std::string& text) {
-            options.max_iterations = parse_iterations(text).value();
-          },
-          "Most iterations per level [1000]")
-      ->type_name("N")
-      ->check(checked(parse_iterations));
-  command
-      .add_option_function<std::string>(
-          "--tolerance", [&options](const std::string& text) { options.tolerance = parse_real(text).value(); },
-          "A level ends when the decrease still predicted is below\nT * max(energy, 1e-6 * 8 pi) [1e-6]")
-      ->type_name("T")
-      ->check(checked([](const std::string& text) -> Result<double> {
-        const Result<double> number = parse_real(text);
-        if (number && *number < 0) return Error{fmt::format("{} is negative", in_quotes(text))};
-        return number;
-      }));
+          words)
+      ->type_name(type)
+      ->check(checked(parse));
 }
 
-void add_metric_options(CLI::App& command, RunOptions& options) {
+void add_problem_options(CLI::App& command, const std::shared_ptr<OptimizeArguments>& arguments) {
+  const auto set_weights = [](RunOptions& options, const Weights& weights) { options.weights = weights; };
+  CLI::Option* functional = add_change(
+      command, arguments, "--functional", "NAME", kFunctionalWords,
+      [](const std::string& name) { return weights_of(name); }, set_weights);
+  add_change(
+      command, arguments, "--weights", "SUM", kWeightsWords,
+      [](const std::string& text) { return parse_weights(text); }, set_weights)
+      ->excludes(functional);
+  add_change(command, arguments, "--cap", "CAP", kCapWords, parse_cap,
+             [](RunOptions& options, CapKind cap) { options.cap = cap; });
+  add_change(
+      command, arguments, "--levels", "A..B",
+      "Minimize, subdivide, minimize: from A to B Catmull-Clark steps of the cage;\n"
+      "where the cage is too coarse to be evaluated, a finer mesh is [0..2]",
+      [](const std::string& text) { return parse_levels(text); },
+      [](RunOptions& options, const LevelRange& range) {
+        options.first_level = range.first;
+        options.last_level = range.last;
+      });
+  add_change(command, arguments, "--max-iterations", "N", "Most iterations per level [1000]", parse_iterations,
+             [](RunOptions& options, int most) { options.max_iterations = most; });
+  add_change(command, arguments, "--tolerance", "T",
+             "A level ends when the decrease still predicted is below\nT * max(energy, 1e-6 * 8 pi) [1e-6]",
+             parse_tolerance, [](RunOptions& options, double tolerance) { options.tolerance = tolerance; });
   command.add_flag(
-      "--no-symmetry", [&options](std::int64_t) { options.symmetry = false; },
+      "--no-symmetry",
+      [arguments](std::int64_t) {
+        arguments->changes.push_back([](RunOptions& options) { options.symmetry = false; });
+      },
       "Let the surface leave the cage's symmetry");
-  command
-      .add_option_function<std::string>(
-          "--metric", [&options](const std::string& name) { options.metric = parse_metric(name).value(); },
-          "What the optimizer measures steps with: auto, identity, sobolev or hessian [auto]")
-      ->type_name("NAME")
-      ->check(checked(parse_metric));
+  add_change(command, arguments, "--metric", "NAME",
+             "What the optimizer measures steps with: auto, identity, sobolev or hessian [auto]", parse_metric,
+             [](RunOptions& options, MetricChoice metric) { options.metric = metric; });
 }
 
 }  // namespace
@@ -215,11 +235,15 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("optimize", "Minimize a functional, level by level, and print or write the result");
   const auto arguments = std::make_shared<OptimizeArguments>();
-  add_cage_argument(*command, arguments->cage);
-  add_objective_options(*command, arguments->objective);
-  add_cap_option(*command, arguments->options.cap);
-  add_level_options(*command, arguments->options);
-  add_metric_options(*command, arguments->options);
+  command
+      ->add_option("INPUT", arguments->input,
+                   "A problem, or a report to go on from (JSON); or an OBJ or OFF file of a\n"
+                   "closed polygon mesh; or - for standard input")
+      ->type_name("");
+  add_problem_options(*command, arguments);
+  command->add_flag("--print-problem", arguments->print_problem, "Print the problem that these options ask, and exit");
+  command->add_flag("--print-schema", arguments->print_schema,
+                    "Print the JSON schema of problems and reports, and exit");
   const auto add_output = [&](const char* name, std::optional<std::string>& output, const char* type,
                               const char* what) {
     command
@@ -237,19 +261,17 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
           "Quads of the limit mesh along each edge of a patch, 1 to 64 [4]")
       ->type_name("N")
       ->check(checked(parse_density));
-  add_output("--report", arguments->report, "OUT.json", "Write energies, levels and stop reasons as JSON");
+  add_output("--report", arguments->report, "OUT.json",
+             "Write problem, energies, levels and surface as JSON, to go on from");
   command->add_flag("--certify", arguments->certify,
                     "Tell whether the result is a local minimum among all surfaces, symmetric or not");
   command->add_flag("-q,--quiet", arguments->quiet, "No progress on standard error");
   command->footer(
+      "Options change what the file of a problem says.\n"
       "Where a result goes to - (standard output), no table is printed. Ctrl-C ends the run and keeps the best\n"
       "surface so far; a second Ctrl-C ends the program.\n\n" +
       functional_help());
-  command->callback([arguments, &exit_code] {
-    require_objective(arguments->objective);
-    arguments->options.weights = arguments->objective.weights;
-    exit_code = run(*arguments);
-  });
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

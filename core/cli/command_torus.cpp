@@ -12,20 +12,21 @@
 #include <vector>
 
 #include "cage/text.h"
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/documents.h"
 #include "cli/exit_code.h"
-#include "cli/json_report.h"
 #include "cli/version.h"
 #include "energy/torus.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
 struct TorusArguments {
   std::optional<double> ratio;
-  Objective objective;
+  Weights terms{};
   bool json = false;
 };
 
@@ -56,7 +57,7 @@ std::vector<Row> rows_of(const TorusArguments& arguments, const std::optional<To
     rows.push_back({std::numbers::sqrt2 / 2, "Clifford torus"});
   }
   if (minimizer && minimizer->attained && std::isfinite(minimizer->ratio)) {
-    rows.push_back({minimizer->ratio, "minimizes " + arguments.objective.words()});
+    rows.push_back({minimizer->ratio, "minimizes " + words(arguments.terms)});
   }
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.ratio < b.ratio; });
   return rows;
@@ -79,31 +80,23 @@ std::string table(const TorusArguments& arguments, const std::optional<TorusMini
                         e[kBending], e[kWillmore], e[kMvs], e[kMvsCross], e[kMehlumTarrou], e[kSecondFormVariation]);
     text += row.note.empty() ? "\n" : fmt::format("  {}\n", row.note);
   }
-  if (minimizer) text += minimizer_line(*minimizer, arguments.objective.words());
+  if (minimizer) text += minimizer_line(*minimizer, words(arguments.terms));
   return text;
 }
 
 std::string json(const TorusArguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
-  Json report{{"version", std::string(version())}};
-  Json tori = Json::array();
-  for (const Row& row : rows_of(arguments, minimizer)) {
-    Json energies = Json::object();
-    const auto values = energies_at(row.ratio);
-    for (int f = 0; f < kFunctionalCount; ++f) energies[std::string(kFunctionalNames[f])] = values[f];
-    tori.push_back({{"ratio", row.ratio}, {"energies", energies}});
-  }
-  report["tori"] = tori;
+  ToriDocument document{.program = std::string(version())};
+  for (const Row& row : rows_of(arguments, minimizer)) document.tori.push_back({row.ratio, {energies_at(row.ratio)}});
   if (minimizer) {
-    add_objective(report, arguments.objective);
-    report["minimizer"] = {
-        {"ratio", minimizer->ratio}, {"energy", minimizer->energy}, {"attained", minimizer->attained}};
+    document.terms = arguments.terms;
+    document.minimizer = minimizer;
   }
-  return to_text(report);
+  return document_text("tori", document, JsonPrinter::Layout::kIndented);
 }
 
 int run(const TorusArguments& arguments) {
   std::optional<TorusMinimizer> minimizer;
-  if (arguments.objective.weights != Weights{}) minimizer = torus_minimizer(arguments.objective.weights);
+  if (arguments.terms != Weights{}) minimizer = torus_minimizer(arguments.terms);
   return print(arguments.json ? json(arguments, minimizer) : table(arguments, minimizer)) ? kEnded : kCannotWrite;
 }
 
@@ -125,10 +118,10 @@ void add_torus_command(CLI::App& app, int& exit_code) {
           "Of this torus only: the tube's radius r over the radius R of its centre line")
       ->type_name("A")
       ->check(checked(parse_ratio));
-  add_objective_options(*command, arguments->objective);
+  add_terms_options(*command, arguments->terms);
   add_json_flag(*command, arguments->json);
   command->footer(functional_help());
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace umbilic {
+namespace umbilic::cli {
 
 /// Each adds its command to `app`; when the command line names it, parsing runs it and sets `exit_code`.
 void add_cage_command(CLI::App& app, int& exit_code);
@@ -16,4 +16,4 @@ void add_check_gradient_command(CLI::App& app, int& exit_code);
 void add_torus_command(CLI::App& app, int& exit_code);
 void add_catalog_command(CLI::App& app, int& exit_code);
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

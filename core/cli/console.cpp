@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -53,7 +53,7 @@ CatalogBar::~CatalogBar() {
   if (shown_) write_error("\r\x1b[K");
 }
 
-void CatalogBar::update(const CatalogProgress& progress) {
+void CatalogBar::update(const catalog::CatalogProgress& progress) {
   if (quiet_) return;
   const auto now = std::chrono::steady_clock::now();
   if (terminal_ ? now < next_update_ : progress.done == told_) return;
@@ -84,4 +84,4 @@ void ProgressLine::update(const Run& run) {
   shown_ = true;
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

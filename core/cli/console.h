@@ -11,7 +11,7 @@
 
 #include "catalog/runner.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 /// Prints "umbilic: message" to standard error and returns `exit_code`.
 int fail(int exit_code, std::string_view message);
@@ -52,7 +52,7 @@ class CatalogBar {
   CatalogBar& operator=(const CatalogBar&) = delete;
 
   /// Cheap enough to call after every unit of work, by one thread at a time.
-  void update(const CatalogProgress& progress);
+  void update(const catalog::CatalogProgress& progress);
 
  private:
   bool quiet_;
@@ -62,4 +62,4 @@ class CatalogBar {
   std::chrono::steady_clock::time_point next_update_{};
 };
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

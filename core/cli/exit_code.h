@@ -3,7 +3,7 @@
 /// What the program tells the shell.
 #pragma once
 
-namespace umbilic {
+namespace umbilic::cli {
 
 enum ExitCode {
   kEnded = 0,        ///< with a result, also when the run was interrupted
@@ -13,4 +13,4 @@ enum ExitCode {
   kCannotWrite = 4,  ///< a result could not be written
 };
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

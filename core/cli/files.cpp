@@ -18,7 +18,7 @@
 #include "cage/read.h"
 #include "cli/console.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -174,4 +174,4 @@ bool same_output(const std::string& a, const std::string& b) {
   return first == second || fs::equivalent(first, second, error);
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -9,7 +9,7 @@
 
 #include "cage/cage.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 /// A cage with the name that messages call it by.
 struct CageFile {
@@ -19,7 +19,7 @@ struct CageFile {
 };
 
 /// The whole text at `path`, which is refused as soon as it turns out to have more than `most_bytes`.
-Result<std::string> read_file(const std::string& path, std::size_t most_bytes = std::size_t{1} << 30);
+Result<std::string> read_file(const std::string& path, std::size_t most_bytes = std::size_t{1} << 28);
 
 /// Reads and validates the cage at `path`; errors begin with its name.
 Result<CageFile> load_cage(const std::string& path);
@@ -33,4 +33,4 @@ std::optional<Error> write_file(const std::string& path, std::string_view text);
 /// Whether both name the same file, or both are "-"; devices take any number of results.
 bool same_output(const std::string& a, const std::string& b);
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -34,4 +34,4 @@ InterruptWatch::~InterruptWatch() {
 
 bool InterruptWatch::interrupted() const { return g_interrupted != 0; }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -3,7 +3,7 @@
 /// Ctrl-C as a wish to end the run.
 #pragma once
 
-namespace umbilic {
+namespace umbilic::cli {
 
 /// While this exists, the first SIGINT or SIGTERM is only remembered; the second ends the program as it would without
 /// this.
@@ -17,4 +17,4 @@ class InterruptWatch {
   bool interrupted() const;
 };
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace umbilic {
+namespace umbilic::cli {
 
 namespace {
 
@@ -32,10 +32,11 @@ std::string area_line(double area) {
 /// How many digits the input leaves, where it leaves fewer than are printed.
 std::string input_rounding_lines(const EnergyReport& energies) {
   constexpr double kHarmless = 1e-12;
+  if (!energies.input_rounding) return "";
   double second_order = 0, third_order = 0;
   for (int i = 0; i < kFunctionalCount; ++i) {
     double& largest = is_third_order(i) ? third_order : second_order;
-    if (energies.input_rounding[i] > largest) largest = energies.input_rounding[i];
+    if (const double change = energies.input_rounding->values[i]; change > largest) largest = change;
   }
   if (!(std::max(second_order, third_order) > kHarmless)) return "";
   return fmt::format(
@@ -51,9 +52,8 @@ std::string ratio(double value, double unit, std::string_view unit_name) {
 
 }  // namespace
 
-std::string input_line(const CageFile& input) {
-  const CageReport& report = input.report;
-  std::string text = fmt::format("{}: {}, {}, {}", input.name, plural(report.vertices, "vertex", "vertices"),
+std::string input_line(std::string_view name, const CageReport& report) {
+  std::string text = fmt::format("{}: {}, {}, {}", name, plural(report.vertices, "vertex", "vertices"),
                                  plural(report.edges, "edge", "edges"), plural(report.faces, "face", "faces"));
   if (report.components.size() > 1) text += fmt::format(", {} components", report.components.size());
   text += fmt::format(", genus {}\n", report.genus);
@@ -91,14 +91,14 @@ std::string level_table(const std::vector<LevelReport>& levels) {
   for (const LevelReport& level : levels) {
     text += fmt::format("  {:>5} {:>8} {:>9} {:>16.10g} {:>10} {:>11} {:>8.2f}  {:<8}  {}\n", level.level,
                         level.patches, level.unknowns, level.energy_reported, level.iterations, level.evaluations,
-                        level.seconds, level.metric, name_of(level.stop));
+                        level.seconds, name_of(level.metric), name_of(level.stop));
   }
   return text;
 }
 
 std::string group_words(const GroupReport& group) {
   return fmt::format("symmetry {}, order {}{}", group.name, group.order,
-                     group.complete ? "" : " (the search was given up: there may be more)");
+                     group.incomplete ? fmt::format(" ({}: there may be more)", *group.incomplete) : "");
 }
 
 std::string limit_line(const LimitReport& limit) {
@@ -128,4 +128,4 @@ std::string certificate_line(const CertificateReport& certificate, const GroupRe
                      certificate.level, certificate.unknowns, certificate.gauge, certificate.tau);
 }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

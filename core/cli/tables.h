@@ -4,15 +4,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "cli/files.h"
 #include "problem/report.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
-/// One line: counts and genus; and one for each repair.
-std::string input_line(const CageFile& input);
+/// One line: the cage's name, counts and genus; and one for each repair.
+std::string input_line(std::string_view name, const CageReport& cage);
 
 /// All energies, with the ratios that are a topological constant or a sphere's energy, the quadrature error of
 /// `objective`, and what the rounding of the input does to them, where that shows.
@@ -29,4 +29,4 @@ std::string certificate_line(const CertificateReport& certificate, const GroupRe
 
 std::string level_table(const std::vector<LevelReport>& levels);
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -3,8 +3,8 @@
 /// The version that the build was given.
 #include "cli/version.h"
 
-namespace umbilic {
+namespace umbilic::cli {
 
 std::string_view version() { return UMBILIC_VERSION; }
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-namespace umbilic {
+namespace umbilic::cli {
 
 std::string_view version();
 
-}  // namespace umbilic
+}  // namespace umbilic::cli

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <optional>
@@ -15,33 +14,12 @@
 #include "driver/rules.h"
 #include "driver/surface.h"
 #include "mesh/hierarchy.h"
+#include "optimize/gauge.h"
 #include "optimize/hessian_assembly.h"
 #include "solve/sparse_cholesky.h"
 
 namespace umbilic {
 namespace {
-
-/// Orthonormal columns: translations, rotations and scaling of the points, and for Moebius-invariant functionals the
-/// special conformal maps x -> |x|^2 a - 2 (a . x) x.
-Eigen::MatrixXd gauge_directions(const Points& control, bool conformal) {
-  const Points x = control.rowwise() - control.colwise().mean();
-  const double size = x.rowwise().norm().maxCoeff();
-  Eigen::MatrixXd directions(x.size(), conformal ? 10 : 7);
-  for (Eigen::Index v = 0; v < x.rows(); ++v) {
-    const Vector3 p = x.row(v).transpose() / size;
-    auto rows = directions.middleRows<3>(3 * v);
-    for (int i = 0; i < 3; ++i) {
-      const Vector3 axis = Vector3::Unit(i);
-      rows.col(i) = axis;
-      rows.col(3 + i) = axis.cross(p);
-      if (conformal) rows.col(7 + i) = p.squaredNorm() * axis - 2 * axis.dot(p) * p;
-    }
-    rows.col(6) = p;
-  }
-  const Eigen::Index columns = directions.cols();
-  return Eigen::HouseholderQR<Eigen::MatrixXd>(directions).householderQ() *
-         Eigen::MatrixXd::Identity(directions.rows(), columns);
-}
 
 int negative_eigenvalues(const Eigen::MatrixXd& symmetric) {
   const Eigen::VectorXd values =
@@ -52,17 +30,12 @@ int negative_eigenvalues(const Eigen::MatrixXd& symmetric) {
 /// Assembling, as a part of the whole; the rest is factoring.
 constexpr double kAssemblyShare = 0.5;
 
-constexpr double kTauFactor = 10;
-
-/// |b - A x| / |b| of a factored A and random b: the errors of the factorization relative to the smallest eigenvalues
-/// of A, those of tau S along gauge directions. Below one they change no sign that tau leaves in no doubt.
-constexpr double kLargestResidual = 0.25;
-
 }  // namespace
 
 struct Certificate::State {
   RefinedCage cage;
   Surface surface;
+  Gauge gauge;
   Unknowns unknowns;
   HessianAssembly assembly;
   SparseCholesky factor{SparseCholesky::Pivots::kNonzero};
@@ -74,13 +47,14 @@ struct Certificate::State {
   State(RefinedCage start, CapKind cap, const Weights& weights, int quadrature)
       : cage(std::move(start)),
         surface(cage, cap, weights),
+        gauge(gauge_of(weights)),
         unknowns(Coordinates(cage.mesh.vertex_count())),
         assembly(surface.layout(), unknowns, weights, minimizing_rule(cap, weights, quadrature)) {
     assembly.begin(cage.control);
     report.level = cage.level;
     report.unknowns = unknowns.count();
     report.tau = kCertificateTau;
-    report.gauge = surface.energy().third_order() ? 7 : 10;
+    report.gauge = gauge.dimension();
   }
 
   double progress() const {
@@ -118,14 +92,14 @@ struct Certificate::State {
   /// U C U^T.
   void count() {
     int negative = factor.negative();
-    const Eigen::MatrixXd gauge = gauge_directions(cage.control, report.gauge == 10);
+    const Eigen::MatrixXd directions = orthonormal_gauge(gauge, cage.control);
     const Eigen::Index rank = assembly.factors().cols();
-    Eigen::MatrixXd border(unknowns.count(), rank + gauge.cols());
-    border << assembly.factors(), gauge;
+    Eigen::MatrixXd border(unknowns.count(), rank + directions.cols());
+    border << assembly.factors(), directions;
     Eigen::MatrixXd schur = -border.transpose() * factor.solve(border);
     if (rank == 2) schur.topLeftCorner<2, 2>() -= Eigen::Matrix2d{{0, 1}, {1, 0}};
     negative += negative_eigenvalues((schur + schur.transpose()) / 2);
-    report.negative = negative - static_cast<int>(gauge.cols()) - (rank == 2 ? 1 : 0);
+    report.negative = negative - gauge.dimension() - (rank == 2 ? 1 : 0);
     ended = true;
   }
 };

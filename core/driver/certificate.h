@@ -4,9 +4,8 @@
 ///
 /// With the Hessian K of all coordinates of the control points, whatever symmetry the surface was minimized in, and the
 /// Sobolev product S, the negative eigenvalues of K + tau S are counted from its L D L^T (Sylvester), after the gauge
-/// directions G are removed: translations, rotations and scaling, and for second-order functionals the special
-/// conformal maps. On the complement of G they are neg(K + tau S) + pos(G^T (K + tau S)^-1 G) - dim G. The area
-/// product's rank-two term is bordered in the same way.
+/// directions G (optimize/gauge.h) are removed. On the complement of G they are neg(K + tau S) + pos(G^T (K + tau S)^-1
+/// G) - dim G. The area product's rank-two term is bordered in the same way.
 ///
 /// Rounding errors of the factorization are measured: while they are not small beside tau S, tau rises tenfold, up to
 /// kLargestTau.
@@ -27,7 +26,12 @@ namespace umbilic {
 /// Eigenvalues of the Hessian, relative to the Sobolev product, that count as zero: discrete surfaces have many
 /// directions, along their parametrization, that change the energy very little.
 inline constexpr double kCertificateTau = 1e-3;
+/// Where rounding errors hide the signs tau rises by this factor, up to an eigenvalue that no longer counts as zero.
+inline constexpr double kTauFactor = 10;
 inline constexpr double kLargestTau = 1e-1;
+/// |b - A x| / |b| of a factored A and random b: the errors of the factorization relative to the smallest eigenvalues
+/// of A, those of tau S along gauge directions. Below one they change no sign that tau leaves in no doubt.
+inline constexpr double kLargestResidual = 0.25;
 
 /// So that it takes a minute, not an hour.
 inline constexpr int kMaxCertifiedFaces = 10'000;

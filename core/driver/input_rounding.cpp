@@ -25,10 +25,10 @@ Points unrounded(const RefinedCage& cage, const Points& rounding, std::mt19937& 
 
 }  // namespace
 
-std::array<double, kFunctionalCount> input_rounding(const RefinedCage& cage, const Points& input,
-                                                    const Surface& surface, const EnergyReport& energies) {
-  std::array<double, kFunctionalCount> largest{};
-  if (cage.placement.is_centred()) return largest;
+std::optional<FunctionalValues> input_rounding(const RefinedCage& cage, const Points& input, const Surface& surface,
+                                               const EnergyReport& energies) {
+  if (cage.placement.is_centred()) return std::nullopt;
+  FunctionalValues largest;
   const Points rounding = cage.placement.rounding(input);
   std::mt19937 random(1);
   for (int copy = 0; copy < kRoundings; ++copy) {
@@ -38,7 +38,7 @@ std::array<double, kFunctionalCount> input_rounding(const RefinedCage& cage, con
     for (int i = 0; i < kFunctionalCount; ++i) {
       const double energy = energies.functionals[i];
       const double change = std::abs(changed.functionals[i] - energy) / std::max(std::abs(energy), kEnergyFloor);
-      if (!(change <= largest[i])) largest[i] = change;
+      if (!(change <= largest.values[i])) largest.values[i] = change;
     }
   }
   return largest;

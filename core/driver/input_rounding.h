@@ -9,7 +9,7 @@
 /// surface; so it is measured, on copies whose points are moved at random by as much.
 #pragma once
 
-#include <array>
+#include <optional>
 
 #include "driver/surface.h"
 
@@ -18,7 +18,7 @@ namespace umbilic {
 /// EnergyReport::input_rounding of `energies`, those of `surface`: `cage` refined, whose points in its own coordinates
 /// are `input`. The largest change of three copies, at the cost of as many reports; zero, and at no cost, for a cage
 /// about the origin.
-std::array<double, kFunctionalCount> input_rounding(const RefinedCage& cage, const Points& input,
-                                                    const Surface& surface, const EnergyReport& energies);
+std::optional<FunctionalValues> input_rounding(const RefinedCage& cage, const Points& input, const Surface& surface,
+                                               const EnergyReport& energies);
 
 }  // namespace umbilic

@@ -221,7 +221,7 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.energy_reported = surface_.objective(energies);
   report.energy = evaluated() ? lbfgs_->best_value() : surface_.energy().evaluate(surface_.start(), nullptr).energy;
   report.stop = StopReason::kCancelled;
-  report.metric = kMetricChoiceNames[static_cast<int>(metric_choice_)];
+  report.metric = metric_choice_;
   report.metrics = before_.metrics + metrics_;
   report.quadrature = options_.quadrature;
   report.iterations = iterations();

@@ -4,11 +4,15 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "cage/placement.h"
 
 namespace umbilic {
+
+/// Quads of the finest limit mesh: what is asked is checked before memory is taken for it.
+inline constexpr std::int64_t kMaxLimitQuads = 4'000'000;
 
 /// Vertices shared by neighbouring patches appear once, so the mesh is closed like the surface.
 struct LimitMesh {

@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "driver/level.h"
-#include "driver/surface.h"
 
 namespace umbilic {
 namespace {
@@ -35,11 +34,10 @@ double limit_mesh_bytes(const PolygonMesh& mesh, int density) {
   return 68 * vertices + 16 * quads;
 }
 
-std::optional<Error> too_large_a_run(const PolygonMesh& cage, int required_level, int order,
-                                     const RunOptions& options) {
+std::optional<Error> too_large_a_run(const RefinedCage& cage, int required_steps, const RunOptions& options) {
   const auto bytes = [&](int level) {
-    const double faces = faces_after(cage, std::max(level, required_level));
-    return run_bytes(faces, faces / order, options.metric);
+    const double faces = faces_after(cage.mesh, std::max(level - cage.level, required_steps));
+    return run_bytes(faces, faces / cage.symmetry.order, options.metric);
   };
   if (bytes(options.last_level) <= kMostRunBytes) return std::nullopt;
   int fits = options.last_level;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/result.h"
-#include "mesh/polygon_mesh.h"
+#include "driver/surface.h"
 #include "problem/options.h"
 
 namespace umbilic {
@@ -24,9 +24,9 @@ double run_bytes(double faces, double patches, MetricChoice metric);
 /// Of tessellate(): 68 bytes for each vertex and 16 for each quad. `density` quads along each edge of a patch.
 double limit_mesh_bytes(const PolygonMesh& mesh, int density);
 
-/// Why a run to `options.last_level` from a cage with a symmetry group of this order would take too much, and the last
-/// level that would not; nothing where it fits. `required_level`: see mesh/hierarchy.h.
-std::optional<Error> too_large_a_run(const PolygonMesh& cage, int required_level, int order, const RunOptions& options);
+/// Why a run from `cage` to `options.last_level` would take too much, and the last level that would not; nothing where
+/// it fits. It takes `required_steps` until the surface can be evaluated, see mesh/hierarchy.h.
+std::optional<Error> too_large_a_run(const RefinedCage& cage, int required_steps, const RunOptions& options);
 
 /// The same of a limit mesh, whose density is at least 1.
 std::optional<Error> too_large_a_mesh(const PolygonMesh& mesh, int density);

@@ -104,6 +104,7 @@ struct Run::State {
 
   void end_level() {
     levels.push_back(level->report(report_energies()));
+    progress.ended_levels = static_cast<int>(levels.size());
     const LevelReport& report = levels.back();
     if (report.evaluable) {
       const bool minimized =
@@ -129,22 +130,23 @@ struct Run::State {
 Result<Run> Run::create(const Cage& cage, const RunOptions& options) { return begin({cage, {}}, options); }
 
 Result<Run> Run::create(const SymmetricCage& cage, const RunOptions& options) {
-  return begin({cage.cage, cage.symmetry}, options);
+  return begin({cage.cage, cage.symmetry, cage.level}, options);
 }
 
 Result<Run> Run::begin(const StartingCage& start, const RunOptions& options) {
   Error error;
   if (!in_range(options, error)) return error;
-  Result<RefinedCage> prepared = prepare(start, options.last_level, options.symmetry);
+  const auto steps_to = [&](int level) { return std::max(0, level - start.level); };
+  Result<RefinedCage> prepared = prepare(start, steps_to(options.last_level), options.symmetry);
   if (!prepared) return prepared.error();
+  prepared->level = start.level;
   if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
   auto state = std::make_unique<State>();
   state->options = options;
-  state->required_level = required_level(prepared->mesh).value();
-  if (auto too_large = too_large_a_run(prepared->mesh, state->required_level, prepared->symmetry.order, options)) {
-    return *too_large;
-  }
-  const RefinedCage first = refine(std::move(prepared).value(), options.first_level);
+  const int required = required_level(prepared->mesh).value();
+  state->required_level = start.level + required;
+  if (auto error_of_size = too_large_a_run(*prepared, required, options)) return *error_of_size;
+  const RefinedCage first = refine(std::move(prepared).value(), steps_to(options.first_level));
   state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
   state->update_progress();
   return Run(std::move(state));
@@ -188,7 +190,9 @@ const EnergyReport& Run::energies() const { return state_->written_energies(); }
 
 GroupReport Run::group() const {
   const SymmetryGroup& group = state_->level->surface().symmetry();
-  return {group.name, group.order, group.complete};
+  GroupReport report{group.name, group.order};
+  if (!group.complete) report.incomplete = "the search was given up";
+  return report;
 }
 
 LimitReport Run::limit() const { return extrapolate(state_->energies_of_levels, third_order(state_->options.weights)); }
@@ -205,6 +209,8 @@ Points Run::orbit_points() const {
   const RefinedCage cage = state_->level->best_cage();
   return cage.placement.back(Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control));
 }
+
+SurfaceState Run::state() const { return {state_->level->number(), orbit_points()}; }
 
 Result<LimitMesh> Run::limit_mesh(int density) const {
   const Surface& surface = state_->level->surface();

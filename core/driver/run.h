@@ -13,27 +13,12 @@
 #include "driver/limit_mesh.h"
 #include "driver/symmetric_cage.h"
 #include "problem/options.h"
+#include "problem/progress.h"
 #include "problem/report.h"
 
 namespace umbilic {
 
 struct StartingCage;
-
-/// What a run is about to do; every `step` finishes at most one of these.
-enum class Phase { kPrepare, kMinimize, kReport, kDone };
-
-struct Progress {
-  Phase phase = Phase::kPrepare;
-  int level = 0;
-  int iterations = 0;         ///< in this level
-  int evaluations = 0;        ///< in this level
-  int total_evaluations = 0;  ///< over all levels
-  /// Of the best surface of this level, by the minimizing rule; NaN before the first evaluation. Where the surface
-  /// makes use of that rule's error the level goes on from it with a finer rule, by which its energy is higher.
-  double energy = 0;
-  double gradient_norm = 0;       ///< Euclidean, of the best surface, with respect to the control points
-  double predicted_decrease = 0;  ///< estimate of what this level can still gain; NaN before the first iteration
-};
 
 class Run {
  public:
@@ -41,7 +26,8 @@ class Run {
   /// their size), the weights are unusable, or the refined mesh would have more than kMaxFaces faces (2 million) or the
   /// run take more than kMostRunBytes of memory (driver/memory.h).
   static Result<Run> create(const Cage& cage, const RunOptions& options);
-  /// The same, without a search for the symmetry.
+  /// The same from a refined mesh, whose levels count from the cage that it comes from: levels before its own are left
+  /// out. Where its symmetry is known, there is no search for it.
   static Result<Run> create(const SymmetricCage& cage, const RunOptions& options);
 
   Run(Run&&) noexcept;
@@ -79,6 +65,9 @@ class Run {
 
   /// The points of the first vertex of each orbit of `control_mesh`; see driver/symmetric_cage.h.
   Points orbit_points() const;
+
+  /// The best surface so far, small enough to be kept.
+  SurfaceState state() const;
 
   /// All energies of the best surface so far by the reporting rule, with the quadrature error. One unit's work, several
   /// times the cost of an evaluation; cached until the surface changes. Of a cage that is not about the origin they are

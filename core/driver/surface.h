@@ -28,10 +28,12 @@ inline constexpr int kMaxFaces = 2'000'000;
 /// Of a cage after so many Catmull-Clark steps; a double, which does not overflow.
 double faces_after(const PolygonMesh& cage, int steps);
 
-/// A cage, with its symmetry where that is known, in its own coordinates.
+/// A cage, with its symmetry where that is known, so many Catmull-Clark steps from the one that levels count from;
+/// in its own coordinates.
 struct StartingCage {
   const Cage& cage;
   std::optional<SymmetryGroup> symmetry;
+  int level = 0;
 };
 
 /// The cage with its symmetry group (or C1 unless `symmetric`) at level 0; its points are made exactly symmetric. Fails

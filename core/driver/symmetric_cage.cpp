@@ -25,16 +25,19 @@ Result<SymmetricCage> symmetric_cage(const Cage& cage, int level, const Points& 
   }
   const Placement& placement = prepared->placement;
   const Coordinates coordinates(mesh, symmetry);
-  if (orbit_points.rows() != coordinates.orbit_count()) {
-    return Error{fmt::format("{} points: expected {}, one for each orbit of vertices at level {}", orbit_points.rows(),
-                             coordinates.orbit_count(), level)};
+  const bool all = orbit_points.rows() == mesh.vertex_count();
+  if (orbit_points.rows() != coordinates.orbit_count() && !all) {
+    return Error{
+        fmt::format("{} points: expected {}, one for each orbit of vertices at level {}, or {}, of all vertices",
+                    orbit_points.rows(), coordinates.orbit_count(), level, mesh.vertex_count())};
   }
   for (Eigen::Index i = 0; i < orbit_points.rows(); ++i) {
     if (!orbit_points.row(i).allFinite()) return Error{fmt::format("point {} is not finite", i + 1)};
   }
+  if (all) return SymmetricCage{to_cage(mesh, orbit_points), std::nullopt, level};
   const Points control = coordinates.control_from_orbits(placement.to_unit(orbit_points));
   symmetry.center = placement.back(symmetry.center);
-  return SymmetricCage{to_cage(mesh, placement.back(control)), std::move(symmetry)};
+  return SymmetricCage{to_cage(mesh, placement.back(control)), std::move(symmetry), level};
 }
 
 }  // namespace umbilic

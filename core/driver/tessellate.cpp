@@ -9,8 +9,7 @@
 #include <utility>
 
 #include "base/shared_cache.h"
-#include "surface/basis_table.h"
-#include "surface/flat_frame.h"
+#include "surface/patch_evaluator.h"
 
 namespace umbilic {
 namespace {
@@ -192,32 +191,30 @@ void put_back(LimitMesh& mesh, const Placement& placement) {
 
 LimitMesh tessellate(const PolygonMesh& mesh, const SymmetryGroup& group, const PatchLayout& layout,
                      const Points& control, int density) {
-  const Points points = layout.extend(control);
-  const std::vector<FlatFrame> frames = flat_frames(layout, points);
+  PatchEvaluator patches(layout, [&](const PatchKind& kind) { return PatchBasis(grid_table(kind, density)); });
+  patches.move_to(control);
   Tessellation result(mesh, group, density);
   std::vector<SurfacePoint> grid_points;
-  for (const PatchSet& set : layout.sets()) {
-    const std::shared_ptr<const BasisTable> table = grid_table(set.kind, density);
-    Eigen::Matrix<double, Eigen::Dynamic, 3> local(set.columns, 3), jets;
-    for (int p = 0; p < set.count(); ++p) {
-      for (int i = 0; i < set.columns; ++i) local.row(i) = points.row(set.points[set.columns * p + i]);
-      jets.noalias() = table->basis * local;
-      if (set.kind.shape == CapShape::kFlat) {
-        const Vector3& n = frames[set.caps[p]].normal;
-        jets -= (table->flattening * (local * n)) * n.transpose();
-      }
+  patches.for_each_range([&](PatchRange range) {
+    const PatchSet& set = layout.sets()[range.set];
+    const BasisTable& table = patches.basis(range.set).table();
+    const double* jets = patches.jets(range, kDerivatives, 0);
+    for (int p = 0; p < range.count; ++p) {
+      const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>> rows(
+          jets + static_cast<std::size_t>(3) * p * kDerivatives * table.samples,
+          static_cast<Eigen::Index>(kDerivatives) * table.samples, 3);
       grid_points.clear();
-      for (int s = 0; s < table->samples; ++s) {
+      for (int s = 0; s < table.distinct; ++s) {
         Eigen::Matrix<double, kDerivatives, 3> x;
-        for (int d = 0; d < kDerivatives; ++d) x.row(d) = jets.row(d * table->samples + s);
+        for (int d = 0; d < kDerivatives; ++d) x.row(d) = rows.row(d * table.samples + s);
         grid_points.emplace_back(x);
       }
       if (set.kind.at_extraordinary()) {
-        grid_points.front().position = cap_centre(layout.caps()[set.caps[p]], points);
+        grid_points.front().position = cap_centre(layout.caps()[set.caps[range.first + p]], patches.points());
       }
-      result.add(set.halfedges[p], grid_points);
+      result.add(set.halfedges[range.first + p], grid_points);
     }
-  }
+  });
   return std::move(result).means();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Prepares tables and jets for the kernel; turns flat caps so that the frozen normal is the third axis.
+/// Hands tables and jets to the kernel, those of flat caps turned so that the frozen normal is the third axis.
 #include "energy/energy_hessian.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace umbilic {
 namespace {
 
-static_assert(kColumnMultiple % HessianPatch::kColumnMultiple == 0);
+static_assert(BasisTable::kColumnMultiple % HessianPatch::kColumnMultiple == 0);
 
 /// Orthogonal, with last row n.
 Eigen::Matrix3d turn_to_axis(const Vector3& n) {
@@ -42,25 +42,17 @@ void turn_back(const Eigen::Matrix3d& turn, int columns, std::vector<double>& bl
 
 EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights,
                              double umbilic_eta)
-    : layout_(layout), weights_(weights) {
+    : patches_(layout, [&](const PatchKind& kind) { return PatchBasis(shared_basis_table(kind, rule, 1)); }),
+      weights_(weights) {
   integrand_.umbilic_eta = umbilic_eta;
   int widest = 0;
-  for (const PatchSet& set : layout.sets()) {
-    Kind kind{kernel_table(set.kind, rule), {}};
-    if (set.kind.shape == CapShape::kFlat) {
-      kind.normal_part = kind.table->basis;
-      for (std::size_t i = 0; i < kind.normal_part.size(); ++i) kind.normal_part[i] -= kind.table->flattening[i];
-    }
-    widest = std::max(widest, kind.table->columns);
-    kinds_.push_back(std::move(kind));
-  }
+  for (int set = 0; set < patches_.set_count(); ++set) widest = std::max(widest, columns(set));
   scratch_.resize(HessianPatch::scratch(widest));
   block_.resize(static_cast<std::size_t>(9) * widest * widest);
 }
 
 void EnergyHessian::move_to(const Points& control, const EnergyValue& value) {
-  points_ = layout_.extend(control);
-  frames_ = flat_frames(layout_, points_);
+  patches_.move_to(control);
   for (int f = 0; f < kFunctionalCount; ++f) {
     integrand_.weights[f] = weights_[f] * (is_third_order(f) ? value.area : 1);
   }
@@ -69,35 +61,22 @@ void EnergyHessian::move_to(const Points& control, const EnergyValue& value) {
 }
 
 const double* EnergyHessian::patch(int set, int patch) {
-  const PatchSet& patches = layout_.sets()[set];
-  const Kind& kind = kinds_[set];
-  const KernelTable& table = *kind.table;
-  const bool flat = patches.kind.shape == CapShape::kFlat;
-  const Eigen::Matrix3d turn = flat ? turn_to_axis(frames_[patches.caps[patch]].normal) : Eigen::Matrix3d::Identity();
-  local_.resize(patches.columns, 3);
-  for (int i = 0; i < patches.columns; ++i) {
-    local_.row(i) = points_.row(patches.points[static_cast<std::size_t>(patches.columns) * patch + i]);
-  }
-  if (flat) local_ = (local_ * turn.transpose()).eval();
-  const int rows = (integrand_.third_order ? kThirdOrderCount : kSecondOrderCount) * table.samples;
-  jets_.resize(static_cast<std::size_t>(3) * rows);
-  const SurfaceKernels& kernels = surface_kernels();
-  kernels.dense_product({table.basis.data(), table.stride, patches.columns}, rows, local_.data(), 3, jets_.data());
+  const BasisTable& table = patches_.basis(set).table();
+  const int derivatives = integrand_.third_order ? kThirdOrderCount : kSecondOrderCount;
+  const double* jets = patches_.jets({set, patch, 1}, derivatives);
+  const bool flat = patches_.layout().sets()[set].kind.shape == CapShape::kFlat;
+  Eigen::Matrix3d turn;
   if (flat) {
-    const Eigen::VectorXd heights = local_.col(2);
-    kernels.dense_product({kind.normal_part.data(), table.stride, patches.columns}, rows, heights.data(), 1,
-                          jets_.data() + 2 * rows);
+    turn = turn_to_axis(patches_.normal(set, patch));
+    turned_ = Eigen::Map<const decltype(turned_)>(jets, derivatives * table.samples, 3) * turn.transpose();
+    jets = turned_.data();
   }
-
   const double* basis = table.basis.data();
-  const HessianPatch input{table.samples,
-                           table.columns,
-                           table.weights.data(),
-                           jets_.data(),
-                           {basis, basis, flat ? kind.normal_part.data() : basis},
-                           table.stride};
+  const HessianPatch input{
+      table.samples, table.padded_columns, table.weights.data(), jets, {basis, basis, table.along_normal().data()},
+      table.stride};
   energy_kernels().patch_hessian(input, integrand_, scratch_.data(), block_.data());
-  if (flat) turn_back(turn, table.columns, block_);
+  if (flat) turn_back(turn, table.padded_columns, block_);
   return block_.data();
 }
 

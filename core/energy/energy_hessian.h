@@ -12,8 +12,7 @@
 
 #include "energy/hessian_patch.h"
 #include "energy/surface_energy.h"
-#include "surface/flat_frame.h"
-#include "surface/kernel_table.h"
+#include "surface/patch_evaluator.h"
 
 namespace umbilic {
 
@@ -29,24 +28,15 @@ class EnergyHessian {
   /// The matrix of a patch (of one that it stands for): row-major, 3 columns(set) x 3 columns(set), as
   /// EnergyKernels::patch_hessian leaves it. Valid until the next call.
   const double* patch(int set, int patch);
-  int columns(int set) const { return kinds_[set].table->columns; }
-  int samples(int set) const { return kinds_[set].table->samples; }
+  int columns(int set) const { return patches_.basis(set).table().padded_columns; }
+  int samples(int set) const { return patches_.basis(set).table().samples; }
 
  private:
-  struct Kind {
-    std::shared_ptr<const KernelTable> table;
-    AlignedDoubles normal_part;  // of `flat` caps: basis - flattening
-  };
-
-  const PatchLayout& layout_;
+  PatchEvaluator patches_;
   Weights weights_;
-  std::vector<Kind> kinds_;
-
-  Points points_;
-  std::vector<FlatFrame> frames_;
   WeightedIntegrand integrand_{};
-  Points local_;  // of the patch
-  std::vector<double> jets_, scratch_, block_;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> turned_;  // jets of a flat cap, the normal as third axis
+  std::vector<double> scratch_, block_;
 };
 
 }  // namespace umbilic

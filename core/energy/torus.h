@@ -30,6 +30,13 @@ struct TorusMinimizer {
   double ratio = 0;
   double energy = 0;     ///< least, or its infimum
   bool attained = true;  ///< whether a torus has this energy
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("ratio", self.ratio);
+    visit("energy", self.energy);
+    visit("attained", self.attained);
+  }
 };
 
 /// The torus of revolution of least energy. `weights` are usable (energy/functional.h). With weights w1 of bending and

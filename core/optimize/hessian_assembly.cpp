@@ -3,13 +3,9 @@
 /// Adds both matrices of every patch in one pass.
 #include "optimize/hessian_assembly.h"
 
+#include "optimize/metric_rules.h"
+
 namespace umbilic {
-namespace {
-
-/// Samples whose contributions one `advance` adds.
-constexpr int kHessianSamplesPerPart = 300;
-
-}  // namespace
 
 HessianAssembly::HessianAssembly(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
                                  const QuadratureRule& rule, double umbilic_eta)

@@ -6,20 +6,10 @@
 #include <algorithm>
 #include <cassert>
 
+#include "optimize/gauge.h"
+#include "optimize/metric_rules.h"
+
 namespace umbilic {
-namespace {
-
-/// On surfaces between a cage and its minimizer mu ends between 10 and 1e-6.
-constexpr double kStartMu = 1e-2;
-constexpr double kSmallestMu = 1e-8;
-constexpr double kLargestMu = 1e6;
-/// So small a multiple of the Sobolev product hides no decrease that matters.
-constexpr double kSettledMu = 1e-5;
-constexpr double kFactor = 10;
-/// Largest factor by which mu falls from one surface to the next.
-constexpr double kLargestFall = 1e3;
-
-}  // namespace
 
 HessianMetric::HessianMetric(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
                              const QuadratureRule& rule)
@@ -30,7 +20,7 @@ void HessianMetric::begin(const Points& control) {
   assembled_ = factoring_ = ready_ = rose_ = false;
   mu_ = std::max(mu_ / fall_, kSmallestMu);
   settled_ = mu_ <= kSettledMu;
-  size_gradient_ = unknowns_.pull_back(control.rowwise() - control.colwise().mean());
+  size_gradient_ = unknowns_.pull_back(scaling_direction(control));
 }
 
 void HessianMetric::settle() {
@@ -39,6 +29,8 @@ void HessianMetric::settle() {
   mu_ = std::min(mu_, kSettledMu);
   settled_ = true;
 }
+
+bool HessianMetric::predicts() const { return mu_ < kUninformativeMu; }
 
 bool HessianMetric::advance() {
   if (!assembled_) {
@@ -55,11 +47,11 @@ bool HessianMetric::advance() {
 void HessianMetric::end_factoring() {
   ready_ = factor_.succeeded() || mu_ >= kLargestMu;
   if (!ready_) {
-    mu_ *= kFactor;
+    mu_ *= kMuFactor;
     rose_ = settled_ = true;
     return;
   }
-  fall_ = rose_ ? kFactor : std::min(fall_ * kFactor, kLargestFall);
+  fall_ = rose_ ? kMuFactor : std::min(fall_ * kMuFactor, kLargestMuFall);
   if (factor_.succeeded()) fixed_size_.set(size_gradient_, factor_.solve(size_gradient_));
 }
 

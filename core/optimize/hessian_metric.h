@@ -5,25 +5,18 @@
 
 #include "optimize/hessian_assembly.h"
 #include "optimize/surface_metric.h"
-#include "solve/fixed_size.h"
 #include "solve/sparse_cholesky.h"
+#include "solve/tangent_projection.h"
 
 namespace umbilic {
 
-/// Regularization at umbilics of the metric's Hessian, relative to the norm of II: with that of the energy itself
-/// single samples near umbilics make mu rise by orders of magnitude.
-inline constexpr double kMetricUmbilicEta = 0.03;
-
-/// mu from which on the Sobolev product makes up the metric: what it predicts is but the smaller for a larger mu.
-inline constexpr double kVainShare = 10;
-
 /// metric = H + u v^T + v u^T + mu S on the directions d that keep the surface's size, a . d = 0.
 ///
-/// Energies have degree 0 in the control points x, so that x . Hessian x = 0 and Hessian x = -gradient: Newton's step
-/// would be a mere change of scale, and the Hessian indefinite wherever the gradient is not 0. With a = u, the gradient
-/// of the area, the rank-two term vanishes, and H + mu S is all that is to be factored; without a third-order part a is
-/// x about its centroid. mu rises until the factorization succeeds, and falls from one surface to the next, the faster
-/// the longer it needed no rise.
+/// The scale is free (optimize/gauge.h): energies have degree 0 in the control points x, so that x . Hessian x = 0 and
+/// Hessian x = -gradient. Newton's step would be a mere change of scale, and the Hessian indefinite wherever the
+/// gradient is not 0. With a = u, the gradient of the area, the rank-two term vanishes, and H + mu S is all that is to
+/// be factored; without a third-order part a is the direction of scaling itself. mu rises until the factorization
+/// succeeds, and falls from one surface to the next, the faster the longer it needed no rise.
 class HessianMetric : public SurfaceMetric {
  public:
   /// `layout` and `unknowns` outlive the metric.
@@ -38,7 +31,7 @@ class HessianMetric : public SurfaceMetric {
   bool settled() const override { return settled_; }
   void settle() override;
   /// Whether mu hides no more than a part of the Hessian.
-  bool predicts() const override { return mu_ < kVainShare; }
+  bool predicts() const override;
   /// mu.
   double sobolev_share() const override { return mu_; }
   /// a.
@@ -53,7 +46,7 @@ class HessianMetric : public SurfaceMetric {
   bool assembled_ = false, factoring_ = false, ready_ = false, settled_ = false, rose_ = false;
   double mu_, fall_ = 1;
   Eigen::VectorXd size_gradient_;  ///< a
-  FixedSize fixed_size_;
+  TangentProjection fixed_size_;
 };
 
 }  // namespace umbilic

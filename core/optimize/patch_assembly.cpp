@@ -39,7 +39,7 @@ void sort_out(std::vector<int>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// Of a value in rising values.
+/// The index of a value in a sorted list.
 int place(const std::vector<int>& rising, int value) {
   return static_cast<int>(std::lower_bound(rising.begin(), rising.end(), value) - rising.begin());
 }
@@ -131,8 +131,7 @@ void PatchAssembly::add_neighbours(const std::vector<int>& some, const std::vect
 void PatchAssembly::build_pattern() {
   for (const PatchSet& patches : layout_.sets()) {
     for (int p = 0; p < patches.count(); ++p) {
-      const std::vector<int> met = orbits_at(&patches.points[static_cast<std::size_t>(patches.columns) * p],
-                                             static_cast<std::size_t>(net_count(patches)));
+      const std::vector<int> met = orbits_at(patches.points_of(p), static_cast<std::size_t>(net_count(patches)));
       add_neighbours(met, met);
     }
   }
@@ -178,7 +177,7 @@ void PatchAssembly::find_rows() {
     const int count = net_count(patches);
     rows.reserve(static_cast<std::size_t>(patches.count()) * count * (count + 1) / 2);
     for (int p = 0; p < patches.count(); ++p) {
-      const int* points = &patches.points[static_cast<std::size_t>(patches.columns) * p];
+      const int* points = patches.points_of(p);
       for (int i = 0; i < count; ++i) {
         for (int j = 0; j <= i; ++j) {
           const int low = std::max(orbit_of_[points[i]], orbit_of_[points[j]]);
@@ -220,7 +219,7 @@ void PatchAssembly::scatter(int row, int column, int first_row, bool one_place, 
 template <class Block>
 void PatchAssembly::add_block(int set, int patch, const Block& block, PatchSums& sums) const {
   const PatchSet& patches = layout_.sets()[set];
-  const int* points = &patches.points[static_cast<std::size_t>(patches.columns) * patch];
+  const int* points = patches.points_of(patch);
   const double multiplicity = patches.multiplicities[patch];
   const int count = net_count(patches);
   const int* first_row = &rows_[set][static_cast<std::size_t>(patch) * count * (count + 1) / 2];
@@ -259,7 +258,7 @@ void PatchAssembly::add_block(int set, int patch, const Block& block, PatchSums&
 template <class Block>
 void PatchAssembly::add_coefficients(int set, int patch, const Block& block, PatchSums& sums) const {
   const PatchSet& patches = layout_.sets()[set];
-  const int* points = &patches.points[static_cast<std::size_t>(patches.columns) * patch];
+  const int* points = patches.points_of(patch);
   const Cap& cap = layout_.caps()[patches.caps[patch]];
   const Elimination& elimination = eliminations_[patches.caps[patch]];
   PatchSums::CapSums& waiting = sums.caps[patches.caps[patch]];

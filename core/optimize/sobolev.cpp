@@ -3,13 +3,10 @@
 /// Builds the Sobolev matrix in parts.
 #include "optimize/sobolev.h"
 
+#include "optimize/gauge.h"
+#include "optimize/metric_rules.h"
+
 namespace umbilic {
-namespace {
-
-/// Samples whose contributions one `advance` adds.
-constexpr int kSobolevSamplesPerPart = 3000;
-
-}  // namespace
 
 SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns)
     : energy_(energy),
@@ -50,7 +47,7 @@ bool SobolevMetric::advance() {
     case Stage::kFactor:
       if (!factor_.advance()) break;
       if (factor_.succeeded()) {
-        const Eigen::VectorXd size = unknowns_.pull_back(control_.rowwise() - control_.colwise().mean());
+        const Eigen::VectorXd size = unknowns_.pull_back(scaling_direction(control_));
         fixed_size_.set(size, solve_freely(size));
       }
       stage_ = Stage::kReady;

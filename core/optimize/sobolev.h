@@ -9,13 +9,14 @@
 #include "optimize/sobolev_form.h"
 #include "optimize/surface_metric.h"
 #include "optimize/unknowns.h"
-#include "solve/fixed_size.h"
 #include "solve/sparse_cholesky.h"
+#include "solve/tangent_projection.h"
 
 namespace umbilic {
 
 /// Assembles the matrix, some patches at a time, and factors it. Where every coordinate is free one scalar matrix
-/// serves all three coordinates. Directions keep the moment of the control points about their centroid.
+/// serves all three coordinates. Directions keep the moment of the control points about their centroid: the
+/// product is not invariant under scaling, as the energy is, and surfaces would grow from step to step.
 class SobolevMetric : public SurfaceMetric {
  public:
   /// `energy` and `unknowns` outlive the metric.
@@ -45,7 +46,7 @@ class SobolevMetric : public SurfaceMetric {
   Points control_;
   PatchCursor cursor_;
   PatchSums sums_;
-  FixedSize fixed_size_;
+  TangentProjection fixed_size_;
 };
 
 }  // namespace umbilic

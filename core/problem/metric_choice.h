@@ -11,4 +11,10 @@ enum class MetricChoice { kAutomatic, kIdentity, kSobolev, kHessian };
 inline constexpr int kMetricChoiceCount = 4;
 inline constexpr std::string_view kMetricChoiceNames[kMetricChoiceCount] = {"auto", "identity", "sobolev", "hessian"};
 
+/// "auto", "identity", "sobolev", "hessian"; empty where there is no such metric.
+constexpr std::string_view name_of(MetricChoice metric) {
+  const int index = static_cast<int>(metric);
+  return index >= 0 && index < kMetricChoiceCount ? kMetricChoiceNames[index] : std::string_view();
+}
+
 }  // namespace umbilic

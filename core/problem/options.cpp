@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The ranges of the options.
+/// What is in range.
 #include "problem/options.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "problem/problem.h"
+
 namespace umbilic {
 
 bool in_range(const RunOptions& options, Error& error) {
   if (!usable(options.weights, error)) return false;
-  if (options.first_level < 0 || options.last_level < options.first_level) {
-    error.message = fmt::format("levels {}..{}: expected 0 <= first <= last", options.first_level, options.last_level);
+  if (options.first_level < 0) {
+    error.message = fmt::format("levels[0]: {} is negative", options.first_level);
+  } else if (options.last_level < options.first_level) {
+    error.message = fmt::format("levels[1]: {} is below levels[0], {}", options.last_level, options.first_level);
   } else if (options.max_iterations < 0) {
-    error.message = fmt::format("{} iterations: expected a number >= 0", options.max_iterations);
+    error.message = fmt::format("max_iterations: {} is negative", options.max_iterations);
   } else if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
-    error.message = fmt::format("tolerance {}: expected a finite number >= 0", options.tolerance);
+    error.message = fmt::format("tolerance: {} is not a finite number >= 0", options.tolerance);
   }
+  return error.message.empty();
+}
+
+bool in_range(const SurfaceState& state, Error& error) {
+  if (state.level < 0) error.message = fmt::format("level: {} is negative", state.level);
   return error.message.empty();
 }
 

@@ -10,7 +10,7 @@
 namespace umbilic {
 
 struct RunOptions {
-  Weights weights{};
+  Weights weights{};  ///< the text form has them beside the options, as the terms of a problem
   CapKind cap = CapKind::kSmooth;
   int first_level = 0;        ///< >= 0, Catmull-Clark steps from the cage to the first mesh whose points are moved
   int last_level = 2;         ///< >= first_level; limits: see Run::create
@@ -18,6 +18,18 @@ struct RunOptions {
   double tolerance = 1e-6;    ///< >= 0: see StopReason::kConverged
   bool symmetry = true;       ///< whether the surface keeps the cage's symmetry
   MetricChoice metric = MetricChoice::kAutomatic;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("cap", self.cap, "Surface near extraordinary vertices");
+    visit.pair("levels", self.first_level, self.last_level,
+               "Catmull-Clark steps from the cage to the first and to the last mesh whose points are moved");
+    visit("max_iterations", self.max_iterations, "Of each level");
+    visit("tolerance", self.tolerance,
+          "A level ends when the decrease still predicted is below tolerance * max(energy, 1e-6 * 8 pi)");
+    visit("symmetry", self.symmetry, "Whether the surface keeps the symmetry of the cage");
+    visit("metric", self.metric, "What the optimizer measures steps with");
+  }
 };
 
 /// Whether all of them are in their ranges; otherwise `error` says which is not.

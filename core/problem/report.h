@@ -1,32 +1,56 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What a run, an evaluation or a gradient check has to say, as plain values; no layer below core/cli knows JSON.
+/// What a run, an evaluation or a gradient check has to say, as plain values. Their text form is in text.h.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cage/cage.h"
-#include "energy/functional.h"
+#include "problem/problem.h"
 #include "solve/stop_reason.h"
 
 namespace umbilic {
 
+/// A value for each functional, by its name.
+struct FunctionalValues {
+  std::array<double, kFunctionalCount> values{};
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    for (int i = 0; i < kFunctionalCount; ++i) visit(kFunctionalNames[i], self.values[i], "Of this functional");
+  }
+};
+
 struct EnergyReport {
   /// In the order of `Functional`; third-order values include the factor area. NaN where the quantity diverges.
   std::array<double, kFunctionalCount> functionals{};
-  double area = 0;  ///< in the units of the input; infinite or 0 where a double cannot hold it
+  double area = 0;      ///< in the units of the input; infinite or 0 where a double cannot hold it
   double gaussian = 0;  ///< integral of the Gaussian curvature
   /// |objective by the reporting rule - objective by the minimizing rule|, of the run's functional (of bending, where
   /// there is none).
   double quadrature_error = 0;
-  /// In the order of `Functional`: by how much, relatively, each would change if the coordinates of the input were moved
-  /// at random by half a unit in their last places, which is all that is known of what they were rounded from. Zero for
-  /// a cage about the origin (cage/placement.h), where it is no more than other rounding errors; NaN where the quantity
-  /// diverges. See driver/input_rounding.h.
-  std::array<double, kFunctionalCount> input_rounding{};
+  /// By how much, relatively, each functional would change if the coordinates of the input were moved at random by half
+  /// a unit in their last places, which is all that is known of what they were rounded from. Empty for a cage about the
+  /// origin (cage/placement.h), where it is no more than other rounding errors; NaN where the quantity diverges. See
+  /// driver/input_rounding.h.
+  std::optional<FunctionalValues> input_rounding{};
   bool whole = true;  ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    for (int i = 0; i < kFunctionalCount; ++i) {
+      visit(kFunctionalNames[i], self.functionals[i], "Null where it diverges; third-order functionals with the area");
+    }
+    visit("area", self.area, "Area of the surface");
+    visit("gaussian", self.gaussian, "Integral of the Gaussian curvature");
+    visit("quadrature_error", self.quadrature_error, "By how much the reporting and the minimizing rule differ");
+    visit("whole", self.whole, "Whether the Gaussian curvature is that of a closed surface");
+    visit("input_rounding", self.input_rounding, "Relative changes by the rounding of a cage far from the origin");
+  }
 };
 
 struct LevelReport {
@@ -39,17 +63,42 @@ struct LevelReport {
   int evaluations = 0;
   double seconds = 0;
   StopReason stop = StopReason::kConverged;
-  std::string_view metric;  ///< "identity", "sobolev" or "hessian"
-  int metrics = 0;          ///< how often the metric was built
-  int quadrature = 0;       ///< steps by which its rules became finer than usual, see driver/rules.h
+  MetricChoice metric = MetricChoice::kIdentity;  ///< the one that was used, never kAutomatic
+  int metrics = 0;                                ///< how often the metric was built
+  int quadrature = 0;     ///< steps by which its rules became finer than usual, see driver/rules.h
   bool evaluable = true;  ///< whether the moved mesh is the evaluated one; coarser ones only prepare the first of these
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("level", self.level, "Catmull-Clark steps from the cage to the mesh whose points are moved");
+    visit("patches", self.patches, "Faces of the mesh that the surface is evaluated on");
+    visit("unknowns", self.unknowns, "Coordinates that the optimizer moves");
+    visit("energy", self.energy, "By the minimizing rule");
+    visit("energy_reported", self.energy_reported, "By the finer reporting rule");
+    visit("iterations", self.iterations, "Steps of the optimizer");
+    visit("evaluations", self.evaluations, "Evaluations of energy and gradient");
+    visit("seconds", self.seconds, "Time that the level took");
+    visit("stop", self.stop, "Why the level ended");
+    visit("metric", self.metric, "What the optimizer measured steps with");
+    visit("metrics", self.metrics, "How often the metric was built");
+    visit("quadrature", self.quadrature, "Steps by which its quadrature rules became finer than usual");
+    visit("evaluable", self.evaluable, "Whether the moved mesh is the evaluated one; coarser ones only prepare it");
+  }
 };
 
 /// The symmetry that a run keeps.
 struct GroupReport {
   std::string name;  ///< Schoenflies symbol
   int order = 1;
-  bool complete = true;  ///< false where the search was given up, so that the cage may have more symmetry than this
+  /// Why there may be more symmetry than this; empty where the search was complete.
+  std::optional<std::string> incomplete{};
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("name", self.name, "Schoenflies symbol, C1 where there is no symmetry");
+    visit("order", self.order, "Number of its elements");
+    visit("incomplete", self.incomplete, "Why there may be more symmetry than this, where the search was given up");
+  }
 };
 
 /// What the levels' energies say about their limit.
@@ -79,6 +128,14 @@ struct LimitReport {
   double energy = 0;
   double order = 0;  ///< observed, NaN where it cannot be told
   double error = 0;  ///< the true limit is within energy +- error
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("status", self.status, "Whether the levels tell a limit, or why they do not");
+    visit("energy", self.energy, "The limit, or the last level's energy");
+    visit("order", self.order, "Observed order of convergence, null where it cannot be told");
+    visit("error", self.error, "The limit is within energy +- error; null where there is none");
+  }
 };
 
 /// Whether the surface of a level is a minimum among all surfaces near it, symmetric or not. See driver/certificate.h.
@@ -88,12 +145,28 @@ struct CertificateReport {
   int gauge = 0;     ///< directions removed: those along which the energy cannot change
   double tau = 0;    ///< eigenvalues of the Hessian relative to the Sobolev product below -tau count as negative
   int negative = 0;  ///< directions along which the energy decreases to second order
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("level", self.level, "Of the surface");
+    visit("unknowns", self.unknowns, "Of the full Hessian, whatever symmetry the surface has");
+    visit("gauge", self.gauge, "Directions along which the energy cannot change, removed");
+    visit("tau", self.tau, "Eigenvalues below -tau, relative to the Sobolev product, count as negative");
+    visit("negative", self.negative, "Directions along which the energy decreases to second order");
+  }
 };
 
 struct EvaluationReport {
   int level = 0;
   int patches = 0;
   EnergyReport energies;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("level", self.level, "Catmull-Clark steps from the cage to the mesh that was evaluated");
+    visit("patches", self.patches, "Its faces");
+    visit("energies", self.energies, "Of the surface as it is");
+  }
 };
 
 struct GradientReport {
@@ -105,6 +178,47 @@ struct GradientReport {
   double relative_mismatch = 0;  ///< the largest
   double tolerance = 0;
   bool ok = false;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("level", self.level, "Catmull-Clark steps from the cage to the mesh whose points were moved");
+    visit("unknowns", self.unknowns, "Coordinates of its points");
+    visit("directions", self.directions, "Random directions that were tried");
+    visit("analytic", self.analytic, "Derivative along the direction with the largest mismatch");
+    visit("difference", self.difference, "The same by central differences");
+    visit("relative_mismatch", self.relative_mismatch, "The largest");
+    visit("tolerance", self.tolerance, "The largest that is allowed");
+    visit("ok", self.ok, "Whether it is not larger");
+  }
+};
+
+/// What came out of a run.
+struct Report {
+  static constexpr Unknown kUnknown = Unknown::kIgnored;
+  std::string program;          ///< its version
+  std::string instruction_set;  ///< that the kernels used, see base/instruction_set.h
+  Problem problem;              ///< with its cage as text, where it came from a file
+  CageReport cage;
+  GroupReport group;
+  std::vector<LevelReport> levels;  ///< those that have ended, in order
+  LimitReport limit;
+  EnergyReport energies;  ///< of the best surface
+  std::optional<CertificateReport> certificate;
+  std::optional<SurfaceState> surface;  ///< the best surface: where the problem goes on
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("program", self.program, "Version of the program that ran");
+    visit("instruction_set", self.instruction_set, "That the kernels used");
+    visit.required("problem", self.problem, "What was asked");
+    visit("cage", self.cage, "Counts over the cage");
+    visit("group", self.group, "The symmetry that the run keeps");
+    visit("levels", self.levels, "Those that have ended");
+    visit("limit", self.limit, "What the levels say about the limit of their energies");
+    visit("energies", self.energies, "Of the best surface, by the reporting rule");
+    visit("certificate", self.certificate, "Whether the surface is a minimum among all surfaces near it");
+    visit("surface", self.surface, "The best surface");
+  }
 };
 
 }  // namespace umbilic

@@ -12,11 +12,20 @@
 namespace umbilic {
 namespace {
 
-/// Digits that an energy, a sum over many samples, can be trusted to.
+/// Relative accuracy that an objective which sums many terms can be trusted to.
 constexpr double kRelativeRoundOff = 1e-13;
+
+/// Multiple of it within which a predicted decrease explains a failing line search.
+constexpr double kStalledByRoundOff = 1e3;
 
 /// Fraction of the tolerance below which the quadratic model is believed without the trend.
 constexpr double kModelAlone = 1e-3;
+
+/// Least cosine of s and y for which a pair is kept: rounding decides the sign of a smaller one.
+constexpr double kLeastCurvature = 1e-12;
+
+/// How far a line search may go beyond the largest displacement of its first trial.
+constexpr double kLongestStep = 1e3;
 
 }  // namespace
 
@@ -126,7 +135,7 @@ void Lbfgs::begin_iteration() {
 
   const double largest = direction_.cwiseAbs().maxCoeff();
   LineSearchOptions search;
-  search.max_step = std::max(1.0, 1e3 * options_.max_displacement / largest);
+  search.max_step = std::max(1.0, kLongestStep * options_.max_displacement / largest);
   search_.emplace(value_, slope, std::min(1.0, options_.max_displacement / largest), search);
 }
 
@@ -136,7 +145,7 @@ void Lbfgs::end_iteration() {
   restarted_ = false;
   Pair pair{trial_unknowns_ - unknowns_, trial_.gradient - gradient_, 0};
   const double curvature = pair.s.dot(pair.y);
-  if (curvature > 1e-12 * pair.s.norm() * pair.y.norm()) {
+  if (curvature > kLeastCurvature * pair.s.norm() * pair.y.norm()) {
     pair.rho = 1 / curvature;
     pairs_.push_back(std::move(pair));
     if (static_cast<int>(pairs_.size()) > options_.memory) pairs_.pop_front();
@@ -157,7 +166,8 @@ void Lbfgs::restart_or_stall() {
     return;
   }
   const double model = -direction_.dot(gradient_) / 2;
-  stop_ = model <= 1e3 * kRelativeRoundOff * std::abs(value_) ? StopReason::kRoundOff : StopReason::kLineSearchStalled;
+  stop_ = model <= kStalledByRoundOff * kRelativeRoundOff * std::abs(value_) ? StopReason::kRoundOff
+                                                                             : StopReason::kLineSearchStalled;
 }
 
 }  // namespace umbilic

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Limited-memory BFGS with an initial metric, driven one energy evaluation at a time.
+/// Limited-memory BFGS with an initial metric, driven one evaluation at a time.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>

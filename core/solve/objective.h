@@ -10,7 +10,7 @@ namespace umbilic {
 struct Evaluation {
   double value = 0;          ///< may be infinite or NaN
   Eigen::VectorXd gradient;  ///< by the unknowns
-  bool degenerate = false;   ///< the value is finite, but the surface is about to collapse
+  bool degenerate = false;   ///< the value is finite, but here it is about to lose its meaning
 };
 
 /// A function of the unknowns with its gradient.
@@ -20,8 +20,7 @@ class Objective {
   virtual void evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const = 0;
 };
 
-/// A symmetric positive definite approximation of the Hessian, up to a factor that L-BFGS finds by itself. Other
-/// metrics than Sobolev's take its place here.
+/// A symmetric positive definite approximation of the Hessian, up to a factor that L-BFGS finds by itself.
 class Metric {
  public:
   virtual ~Metric() = default;

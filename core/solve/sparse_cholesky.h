@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Multifrontal L D L^T factorization of a sparse symmetric matrix, in steps that a page can wait for.
+/// Multifrontal L D L^T factorization of a sparse symmetric matrix, in steps of bounded work.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,7 +24,7 @@ class SparseCholesky {
 
   /// Starts to factor the matrix with this lower triangle.
   void begin(Matrix lower);
-  /// Does a part of the work, of about the cost of one energy evaluation; returns whether it has ended, be it in
+  /// Does a part of the work, about a hundred million floating-point operations; returns whether it has ended, be it in
   /// failure.
   bool advance();
   /// Fraction of the floating-point operations that are done.

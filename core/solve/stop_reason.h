@@ -11,9 +11,9 @@ enum class StopReason {
   kConverged,          ///< the decrease still predicted is below the tolerance
   kMaxIterations,      ///< as many iterations as allowed
   kLineSearchStalled,  ///< no step along the search direction satisfies the strong Wolfe conditions
-  kRoundOff,           ///< the decrease still predicted is below what the energy's digits can show
-  kNotFinite,          ///< the energy is not finite at the start
-  kDegenerate,         ///< the surface collapses: the area or a patch vanishes
+  kRoundOff,           ///< the decrease still predicted is below what the value's digits can show
+  kNotFinite,          ///< the value is not finite at the start
+  kDegenerate,         ///< the objective calls its last point degenerate
   kCancelled,
 };
 

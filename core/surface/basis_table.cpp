@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <tuple>
 
+#include "base/lanes.h"
 #include "base/shared_cache.h"
 #include "surface/bspline.h"
 
@@ -50,6 +52,8 @@ DerivativeRows patch_flattening(const PatchKind& kind, double u, double v) {
 
 namespace {
 
+constexpr int round_up(int count, int multiple) { return (count + multiple - 1) / multiple * multiple; }
+
 /// Samples that are written together, whose entries of a column fill a cache line.
 constexpr int kTogether = 8;
 
@@ -63,35 +67,46 @@ void write_rows(const std::vector<DerivativeRows>& rows, int count, int first, i
   }
 }
 
-}  // namespace
-
-void write_basis(const PatchKind& kind, const std::vector<Sample>& samples, int first, int last, BasisColumns basis,
-                 BasisColumns flattening) {
+void write_basis(const PatchKind& kind, const std::vector<Sample>& samples, BasisTable& table) {
   const bool flat = kind.shape == CapShape::kFlat;
-  const int sample_count = static_cast<int>(samples.size());
+  const int last = table.first + table.derivatives;
   std::vector<DerivativeRows> rows(kTogether), flat_rows(kTogether);
-  for (int begin = 0; begin < sample_count; begin += kTogether) {
-    const int count = std::min(kTogether, sample_count - begin);
+  for (int begin = 0; begin < table.samples; begin += kTogether) {
+    const int count = std::min(kTogether, table.samples - begin);
     for (int k = 0; k < count; ++k) {
       const Sample& sample = samples[begin + k];
       rows[k] = patch_basis(kind, sample.u, sample.v);
       if (flat) flat_rows[k] = patch_flattening(kind, sample.u, sample.v);
     }
-    write_rows(rows, count, first, last, sample_count, basis.entries + begin, basis.stride);
-    if (flat) write_rows(flat_rows, count, first, last, sample_count, flattening.entries + begin, flattening.stride);
+    write_rows(rows, count, table.first, last, table.samples, table.basis.data() + begin, table.stride);
+    if (flat) {
+      write_rows(flat_rows, count, table.first, last, table.samples, table.flattening.data() + begin, table.stride);
+    }
   }
 }
 
-BasisTable basis_table(const PatchKind& kind, const std::vector<Sample>& samples, int first, int last) {
+}  // namespace
+
+BasisTable basis_table(const PatchKind& kind, std::vector<Sample> samples, int first, int last) {
   BasisTable table;
+  table.first = first;
+  table.derivatives = last - first;
+  table.distinct = static_cast<int>(samples.size());
+  pad_samples(samples, kSampleMultiple);
   table.samples = static_cast<int>(samples.size());
   table.columns = patch_columns(kind).count();
+  table.padded_columns = round_up(table.columns, BasisTable::kColumnMultiple);
+  table.stride = round_up(table.derivatives * table.samples, kCacheLine / sizeof(double));
   table.weights.resize(table.samples);
   for (int s = 0; s < table.samples; ++s) table.weights[s] = samples[s].weight;
-  table.basis.resize((last - first) * table.samples, table.columns);
-  if (kind.shape == CapShape::kFlat) table.flattening.resize(table.basis.rows(), table.columns);
-  write_basis(kind, samples, first, last, {table.basis.data(), table.basis.rows()},
-              {table.flattening.data(), table.flattening.rows()});
+  const std::size_t size = static_cast<std::size_t>(table.stride) * table.padded_columns;
+  table.basis.resize(size);
+  if (kind.shape == CapShape::kFlat) table.flattening.resize(size);
+  write_basis(kind, samples, table);
+  if (kind.shape == CapShape::kFlat) {
+    table.normal_part = table.basis;
+    for (std::size_t i = 0; i < size; ++i) table.normal_part[i] -= table.flattening[i];
+  }
   return table;
 }
 
@@ -100,9 +115,10 @@ std::vector<Sample> samples_of(const PatchKind& kind, const QuadratureRule& rule
   return kind.at_extraordinary() ? graded_rule(rule.cap_points, rule.grading) : tensor_rule(rule.cap_points);
 }
 
-std::shared_ptr<const BasisTable> shared_basis_table(const PatchKind& kind, const QuadratureRule& rule) {
-  static SharedCache<std::pair<PatchKind, QuadratureRule>, BasisTable> tables(kSharedTableBytes);
-  return tables.get({kind, rule}, [&] { return basis_table(kind, samples_of(kind, rule), 0, kDerivativeCount); });
+std::shared_ptr<const BasisTable> shared_basis_table(const PatchKind& kind, const QuadratureRule& rule, int first) {
+  static SharedCache<std::tuple<PatchKind, QuadratureRule, int>, BasisTable> tables(kSharedTableBytes);
+  return tables.get({kind, rule, first},
+                    [&] { return basis_table(kind, samples_of(kind, rule), first, kDerivativeCount); });
 }
 
 void pad_samples(std::vector<Sample>& samples, int lanes) {

@@ -7,12 +7,11 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "surface/jet_block.h"
-#include "surface/layout.h"
+#include "surface/patch_evaluator.h"
 
 namespace umbilic {
 
@@ -23,17 +22,13 @@ struct AdjointChannel {
 
 using JetVisitor = std::function<void(const JetBlock&)>;
 
-class JetGroup;
-class JetPass;
-
 /// Keeps its working memory between evaluations, so that only one thread evaluates at a time.
 class JetEvaluator {
  public:
   /// `layout` outlives the evaluator.
   JetEvaluator(const PatchLayout& layout, const QuadratureRule& rule);
-  ~JetEvaluator();
 
-  const PatchLayout& layout() const { return layout_; }
+  const PatchLayout& layout() const { return patches_.layout(); }
 
   /// Calls `visit` for blocks that cover each patch once, in a fixed order. `derivatives` is 5 or 9. For every channel,
   /// `gradients` receives the sum of adjoint times derivative of the jets by the control points, control_count x 3.
@@ -46,9 +41,14 @@ class JetEvaluator {
   std::size_t table_bytes() const;
 
  private:
-  const PatchLayout& layout_;
-  std::vector<std::unique_ptr<JetGroup>> groups_;
-  std::unique_ptr<JetPass> pass_;
+  struct Channel {
+    AlignedDoubles adjoint;  // of a block
+    PatchAdjoint sum;
+  };
+
+  mutable PatchEvaluator patches_;
+  mutable std::vector<Channel> channels_;  // never fewer than before, as they keep their memory
+  mutable std::vector<double*> adjoints_;  // as a block shows them
 };
 
 }  // namespace umbilic

@@ -33,6 +33,8 @@ struct PatchSet {
   std::vector<double> multiplicities;  ///< how many patches each one stands for
 
   int count() const { return static_cast<int>(halfedges.size()); }
+  /// Those of a patch, `columns` of them.
+  const int* points_of(int patch) const { return &points[static_cast<std::size_t>(columns) * patch]; }
 };
 
 class PatchLayout {

@@ -29,7 +29,7 @@ std::string row_of(const LevelReport& level) {
       R"({{"level":{},"patches":{},"unknowns":{},"energy":{:.10g},"energyReported":{:.10g},"iterations":{},)"
       R"("evaluations":{},"metric":"{}","metrics":{},"stop":"{}"}})",
       level.level, level.patches, level.unknowns, level.energy, level.energy_reported, level.iterations,
-      level.evaluations, level.metric, level.metrics, name_of(level.stop));
+      level.evaluations, name_of(level.metric), level.metrics, name_of(level.stop));
 }
 
 }  // namespace

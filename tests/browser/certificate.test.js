@@ -115,7 +115,7 @@ describe('a certificate', () => {
     const report = JSON.parse(readFileSync(await saved.path(), 'utf8'));
     expect(report).toMatchObject({
       group: { name: 'D3h', order: 12 },
-      extrapolated: { status: 'too_few_levels', order: null, error: null },
+      limit: { status: 'too_few_levels', order: null, error: null },
       certificate: { level: 1, unknowns: 282, gauge: 7, tau: 0.001 },
       levels: [{ metric: 'hessian' }, { metric: 'hessian' }],
     });

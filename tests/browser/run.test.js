@@ -43,6 +43,48 @@ async function download(page, name) {
   return { name: saved.suggestedFilename(), text: readFileSync(await saved.path(), 'utf8') };
 }
 
+describe('a report that was saved', () => {
+  test('is dropped on another page and goes on where it was: cage, settings, surface and energies', async () => {
+    const first = await openPage(served.browser, served.url);
+    await dropFile(first.page, 'my frame.obj', tetrahedronFrame);
+    await first.page.locator('.facts').filter({ hasText: 'my frame.obj' }).waitFor();
+    await first.page.locator('[name=functional]').selectOption('bending');
+    await first.page.locator('[name=last]').selectOption('2');
+    await measured(first.page);
+    await button(first.page, 'Start').click();
+    await status(first.page, /^Converged after/, 60_000);
+    await measured(first.page);
+    const before = await energies(first.page);
+    const report = await download(first.page, 'Report');
+    expect(first.errors).toEqual([]);
+    await first.page.context().close();
+
+    const { page, errors } = await openPage(served.browser, served.url);
+    await dropFile(page, report.name, report.text);
+    await page.locator('.facts').filter({ hasText: 'my frame.obj' }).waitFor();
+    await measured(page);
+    expect(await page.locator('[name=functional]').inputValue()).toBe('bending');
+    expect((await energies(page))['Bending energy']).toBe(before['Bending energy']);
+    expect(await page.locator('#levels tbody tr').count()).toBe(JSON.parse(report.text).levels.length);
+    await page.locator('[name=last]').selectOption('3');
+    await button(page, 'Start').click();
+    await status(page, /^Converged after/, 60_000);
+    const again = JSON.parse((await download(page, 'Report')).text);
+    // What has been minimized is behind it.
+    expect(again.levels.map((/** @type {any} */ { level }) => level)).toEqual([2, 3]);
+    expect(again.levels[0].energy_reported / JSON.parse(report.text).energies.bending).toBeCloseTo(1, 5);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  }, 120_000);
+
+  test('that is broken says where', async () => {
+    const { page } = await openPage(served.browser, served.url);
+    await dropFile(page, 'broken.json', '{"umbilic": "problem", "version": 1, "cage": {"generator": "two-3"}}');
+    await page.locator('#alert').filter({ hasText: 'terms: missing' }).waitFor();
+    await page.context().close();
+  });
+});
+
 describe('a user', () => {
   test('drops a file, minimizes it, pauses, resumes, cancels, saves and resets', async () => {
     const { page, errors } = await openPage(served.browser, served.url);
@@ -96,7 +138,11 @@ describe('a user', () => {
     expect(control.name).toMatch(/^my-frame-mvs_cross-level\d\.obj$/);
     const cage = Cage.read(control.text);
     expect(cage.counts.genus).toBe(3);
-    const minimizer = new Minimizer(cage, { weights: { mvs_cross: 1 }, levels: [0, 0], maxIterations: 0 });
+    const minimizer = new Minimizer({
+      cage: cage.input,
+      terms: { mvs_cross: 1 },
+      options: { levels: [0, 0], max_iterations: 0 },
+    });
     while (!minimizer.step(10));
     // What was saved is the surface whose energies the table shows.
     expect(minimizer.energies.mvs_cross / number(after['MVS with cross terms']) - 1).toBeLessThan(1e-3);
@@ -111,9 +157,9 @@ describe('a user', () => {
 
     const report = await download(page, 'Report');
     expect(JSON.parse(report.text)).toMatchObject({
-      functional: 'mvs_cross',
-      cap: 'smooth',
-      input: { name: 'my frame.obj', genus: 3 },
+      umbilic: 'report',
+      problem: { cage: { name: 'my frame.obj' }, terms: { mvs_cross: 1 }, options: { cap: 'smooth' } },
+      cage: { genus: 3 },
       levels: [{ stop: 'cancelled' }],
     });
 

@@ -50,9 +50,13 @@ describe('a cage far from the origin', () => {
   test('is minimized to a mesh that evaluates to what was reported, with a note on its digits', () => {
     const options = ['--functional', 'bending', '--levels', '0..1', '-q', '-o', 'out.obj', '--report', 'out.json'];
     expect(outputOf(['optimize', far, ...options], scratch)).toMatch(note);
-    const { energies, input_rounding } = JSON.parse(scratch.read('out.json'));
+    const {
+      energies: { input_rounding, whole, ...energies },
+    } = JSON.parse(scratch.read('out.json'));
+    expect(whole).toBe(true);
     const again = jsonOf(['evaluate', 'out.obj', '--json'], scratch);
     for (const [name, energy] of Object.entries(energies)) {
+      if (name === 'quadrature_error') continue;
       expect(Math.abs(again.energies[name] / Number(energy) - 1)).toBeLessThan(1e-12);
     }
     expect(input_rounding.mvs_cross).toBeGreaterThan(input_rounding.bending);
@@ -61,7 +65,7 @@ describe('a cage far from the origin', () => {
 
   test('has no note where it has all its digits', () => {
     expect(outputOf(['evaluate', '-'], { input: frame })).not.toMatch(note);
-    expect(jsonOf(['evaluate', '-', '--json'], { input: frame }).input_rounding.mvs_cross).toBe(0);
+    expect(jsonOf(['evaluate', '-', '--json'], { input: frame }).energies.input_rounding).toBeUndefined();
   });
 });
 
@@ -81,8 +85,8 @@ describe('repairs', () => {
   );
 
   test('stand in the report', () => {
-    expect(jsonOf(['info', '-', '--json'], { input: inside_out }).input.repairs).toHaveLength(2);
-    expect(jsonOf(['info', '-', '--json'], { input: tetrahedron }).input.repairs).toEqual([]);
+    expect(jsonOf(['info', '-', '--json'], { input: inside_out }).cage.repairs).toHaveLength(2);
+    expect(jsonOf(['info', '-', '--json'], { input: tetrahedron }).cage.repairs).toEqual([]);
   });
 });
 

@@ -28,7 +28,7 @@ const stored = () => JSON.parse(scratch.read('a/catalog.json'));
 beforeAll(() => expect(catalog('a', '--jobs', '2')).toMatchObject({ code: 0, out: '', err: '' }));
 
 describe('a catalog', () => {
-  test('has an entry for each shape and functional, a file with its points, and the thin and fat starts', () => {
+  test('has an entry for each shape and functional, a file with its report, and the thin and fat starts', () => {
     const { shapes, functionals, entries, starts } = stored();
     expect([shapes.length, functionals.length]).toEqual([12, 6]);
     expect(entries.map((/** @type {any} */ e) => [e.shape, e.functional, e.status])).toEqual([
@@ -36,11 +36,16 @@ describe('a catalog', () => {
       ['two-3', 'mvs_cross', 'upper_bound'],
     ]);
     for (const entry of entries) {
-      const { points, ...rest } = JSON.parse(scratch.read(`a/${entry.minimizer}`));
-      const cage = { generator: 'two-3', family: 'flag', thickness: 1 };
-      expect(rest).toEqual({ shape: 'two-3', functional: entry.functional, cage, level: 1, group: 'D3h' });
-      expect(points.length % 3).toBe(0);
-      expect(entry.levels.map((/** @type {any} */ level) => level.seconds)).toEqual([undefined, undefined]);
+      const { group, levels, energies, limit } = entry;
+      const report = JSON.parse(scratch.read(`a/${entry.minimizer}`));
+      expect(report).toMatchObject({ umbilic: 'report', version: 1, group, levels, energies, limit });
+      expect(report.problem).toMatchObject({
+        cage: { generator: 'two-3', family: 'flag', thickness: 1 },
+        terms: { [entry.functional]: 1 },
+        options: { levels: [0, 1] },
+      });
+      expect(report.surface.level).toBe(1);
+      expect(levels.map((/** @type {any} */ level) => level.seconds)).toEqual([null, null]);
       expect(entry.energies.gaussian).toBeCloseTo(-4 * Math.PI, 1);
     }
     expect(starts.map((/** @type {any} */ s) => `${s.functional} ${s.thickness} ${s.level}`)).toEqual(

@@ -61,19 +61,19 @@ describe('--metric', () => {
 describe('the limit', () => {
   test('of levels that converge is their energy with an error that holds the true one', () => {
     const line = 'torus.obj --functional bending --levels 0..2';
-    const { extrapolated } = reportOf(line);
-    expect(extrapolated).toEqual({
+    const { limit } = reportOf(line);
+    expect(limit).toEqual({
       status: 'converging',
       energy: expect.any(Number),
       order: expect.any(Number),
       error: expect.any(Number),
     });
-    expect(Math.abs(extrapolated.energy - 8 * Math.PI ** 2)).toBeLessThan(extrapolated.error);
+    expect(Math.abs(limit.energy - 8 * Math.PI ** 2)).toBeLessThan(limit.error);
     const [, energy, error, order] =
       /^extrapolated (\S+) \+- (\S+) \(observed order (\S+)\)$/m.exec(tableOf(line)) ?? [];
-    expect(Math.abs(Number(energy) - extrapolated.energy)).toBeLessThan(extrapolated.error / 10);
-    expect(Math.abs(Number(error) / extrapolated.error - 1)).toBeLessThan(0.1);
-    expect(Number(order)).toBeCloseTo(extrapolated.order, 1);
+    expect(Math.abs(Number(energy) - limit.energy)).toBeLessThan(limit.error / 10);
+    expect(Math.abs(Number(error) / limit.error - 1)).toBeLessThan(0.1);
+    expect(Number(order)).toBeCloseTo(limit.order, 1);
   });
 
   test.each([
@@ -89,8 +89,8 @@ describe('the limit', () => {
       /not extrapolated: [\d.]+ is an upper bound, the levels do not converge/,
     ],
   ])('of "%s" is %s', (line, status, words) => {
-    const { extrapolated, levels } = reportOf(line);
-    expect(extrapolated).toMatchObject({ status, energy: levels.at(-1).energy_reported, error: null });
+    const { limit, levels } = reportOf(line);
+    expect(limit).toMatchObject({ status, energy: levels.at(-1).energy_reported, error: null });
     const table = tableOf(line);
     if (typeof words === 'string') expect(table).toContain(`\nnot extrapolated: ${words}\n`);
     else expect(table).toMatch(words);
@@ -117,7 +117,7 @@ describe('--certify', () => {
   test('finds a minimum', () => {
     const line = 'frame.obj --functional bending --levels 0..2 --certify';
     const report = reportOf(line);
-    expect(Object.keys(report).slice(-2)).toEqual(['levels', 'certificate']);
+    expect(Object.keys(report).slice(-2)).toEqual(['certificate', 'surface']);
     expect(report.certificate).toEqual({ level: 2, unknowns: 1146, gauge: 10, tau: 0.001, negative: 0 });
     expect(tableOf(line)).toContain(
       '\ncertificate: a local minimum among all surfaces near it (level 2, 1146 unknowns, 10 gauge directions, tau 0.001)\n',

@@ -26,7 +26,7 @@ if (!there) console.log(`Skipped: there is no folder ${folder}`);
           );
         const before = optimize(0);
         const after = optimize(5);
-        expect(after.input.genus).toBe(0);
+        expect(after.cage.genus).toBe(0);
         const [{ iterations, stop }] = after.levels;
         if (iterations < 5) expect(stop).toBe('converged');
         // A dodecahedron that stays symmetric has nothing to move but its size.

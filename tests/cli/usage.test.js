@@ -67,7 +67,7 @@ const senseless = [
   ['cage torus --segments 8', "'8' is not MxN, two numbers of segments"],
   ['cage torus --segments 2x6', '2 segments are not 3 to 1000'],
   ['cage torus --segments 8x6x4', "'8x6x4' is not MxN, two numbers of segments"],
-  ['evaluate - --cap round', "'round' is not smooth, flat or none"],
+  ['evaluate - --cap round', "'round' is none of none, flat, smooth"],
   ['evaluate - --levels 0..1', "'0..1' is not an integer from 0 to 20"],
   ['evaluate - --levels -1', "'-1' is not an integer from 0 to 20"],
   ['optimize -', '--functional or --weights is required'],

@@ -3,18 +3,16 @@
  * @file Certificates of a minimum, of a surface that is one only within its symmetry, and of what cannot be certified.
  */
 import { beforeAll, expect, test } from '@jest/globals';
-import { Cage, InputError, Minimizer, load } from '../../wasm/umbilic.js';
+import { InputError, Minimizer, load } from '../../wasm/umbilic.js';
 
 beforeAll(() => load());
 
 /**
- * @param {string} name
- * @param {Partial<import('../../wasm/types.js').MinimizerOptions>} [options]
+ * @param {string} generator
+ * @param {import('../../wasm/types.js').Options & {terms?: import('../../wasm/types.js').Terms}} [asked]
  */
-function minimized(name, options = {}) {
-  const cage = Cage.generate(name);
-  const minimizer = new Minimizer(cage, { weights: { bending: 1 }, levels: [0, 1], ...options });
-  cage.dispose();
+function minimized(generator, { terms = { bending: 1 }, ...options } = {}) {
+  const minimizer = new Minimizer({ cage: { generator }, terms, options: { levels: [0, 1], ...options } });
   while (!minimizer.step(20));
   return minimizer;
 }
@@ -36,7 +34,7 @@ test('the genus-2 minimizer of bending is a local minimum among all surfaces, by
 });
 
 test('the genus-2 minimizer of MVS_cross on a coarse mesh is one only within its symmetry', () => {
-  const minimizer = minimized('two-3', { weights: { mvs_cross: 1 } });
+  const minimizer = minimized('two-3', { terms: { mvs_cross: 1 } });
   const { negative, gauge } = certified(minimizer);
   expect(negative).toBeGreaterThan(0);
   expect(gauge).toBe(7); // no special conformal maps: it is of third order
@@ -64,11 +62,11 @@ test('progress rises from 0 to 1, and the surface is neither moved nor needed', 
 });
 
 test('flat caps and meshes with too many patches are refused with the reason', () => {
-  const flat = minimized('cube', { cap: 'flat', maxIterations: 0 });
+  const flat = minimized('cube', { cap: 'flat', max_iterations: 0 });
   expect(() => flat.certify()).toThrow(InputError);
   expect(() => flat.certify()).toThrow(/flat/);
   flat.dispose();
-  const large = minimized('cube', { levels: [6, 6], maxIterations: 0 });
+  const large = minimized('cube', { levels: [6, 6], max_iterations: 0 });
   expect(() => large.certify()).toThrow(/24576 patches; at most 10000/);
   large.dispose();
 });

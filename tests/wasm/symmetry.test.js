@@ -4,7 +4,7 @@
  * their levels say about the limit.
  */
 import { afterEach, beforeAll, describe, expect, test } from '@jest/globals';
-import { Cage, InputError, Minimizer, load } from '../../wasm/umbilic.js';
+import { InputError, Minimizer, load } from '../../wasm/umbilic.js';
 
 beforeAll(() => load());
 
@@ -12,11 +12,13 @@ beforeAll(() => load());
 const held = [];
 afterEach(() => held.splice(0).forEach((minimizer) => minimizer.dispose()));
 
-/** @param {string} name @param {Partial<import('../../wasm/types.js').MinimizerOptions>} [options] */
-function minimizerOf(name, options = {}) {
-  const cage = Cage.generate(name);
-  const minimizer = new Minimizer(cage, { weights: { bending: 1 }, levels: [1, 1], ...options });
-  cage.dispose();
+/** @param {string} generator @param {import('../../wasm/types.js').Options} [options] */
+function minimizerOf(generator, options = {}) {
+  const minimizer = new Minimizer({
+    cage: { generator },
+    terms: { bending: 1 },
+    options: { levels: [1, 1], ...options },
+  });
   held.push(minimizer);
   return minimizer;
 }
@@ -45,7 +47,7 @@ describe('symmetry', () => {
     expect(free.unknowns).toBe(3 * 26);
     expect(symmetric.unknowns).toBe(3);
     // Both converged to a relative 1e-6, and this minimum is one among all surfaces, symmetric or not.
-    expect(Math.abs(symmetric.energyReported / free.energyReported - 1)).toBeLessThan(1e-5);
+    expect(Math.abs(symmetric.energy_reported / free.energy_reported - 1)).toBeLessThan(1e-5);
   });
 });
 
@@ -94,11 +96,11 @@ describe('the limit', () => {
 
   test('is not told by two levels', () => {
     const { limit, levels } = minimized('torus', { levels: [0, 1] });
-    expect(limit).toEqual({ status: 'too_few_levels', energy: levels[1].energyReported, order: NaN, error: NaN });
+    expect(limit).toEqual({ status: 'too_few_levels', energy: levels[1].energy_reported, order: NaN, error: NaN });
   });
 
   test('is not told by levels that were not minimized', () => {
-    const { limit } = minimized('torus', { levels: [0, 2], maxIterations: 2 });
+    const { limit } = minimized('torus', { levels: [0, 2], max_iterations: 2 });
     expect(limit.status).toBe('not_minimized');
     expect(limit.error).toBeNaN();
   });

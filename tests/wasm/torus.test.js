@@ -50,6 +50,6 @@ describe('the torus', () => {
     expect(() => torusMinimizer({})).toThrow('all weights are zero');
     expect(() => torusMinimizer({ bending: -1 })).toThrow(InputError);
     // @ts-expect-error there is no such functional
-    expect(() => torusMinimizer({ elastic: 1 })).toThrow('unknown functional "elastic"');
+    expect(() => torusMinimizer({ elastic: 1 })).toThrow("'elastic': no functional; known are bending");
   });
 });

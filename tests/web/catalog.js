@@ -2,10 +2,11 @@
 /**
  * @file A small catalog for the tests of the pages that show it; its numbers are made up.
  */
+import { parseReport } from '../../web/files/catalog.js';
 
 /** @typedef {import('../../web/files/catalog.js').Catalog} Catalog */
 /** @typedef {import('../../web/files/catalog.js').CatalogEntry} CatalogEntry */
-/** @typedef {import('../../web/files/catalog.js').CatalogSurface} CatalogSurface */
+/** @typedef {import('../../wasm/types.js').Report} Report */
 
 /**
  * @param {string} shape
@@ -23,7 +24,7 @@ export function entry(shape, functional, more = {}) {
     paper: 113,
     exact: 112.766848,
     group: { name: 'D3h', order: 12 },
-    settings: { cap: 'smooth', levels: [0, 4], tolerance: 1e-7, max_iterations: 500, symmetry: true },
+    settings: options(),
     energies: {
       bending: 112.7675,
       willmore: 21.9,
@@ -33,8 +34,9 @@ export function entry(shape, functional, more = {}) {
       second_form_variation: null,
       area: 0.295,
       gaussian: -12.566,
+      quadrature_error: 1e-5,
+      whole: true,
     },
-    quadrature_error: 1e-5,
     levels: [3, 4].map((level) => ({
       level,
       patches: 24 * 4 ** level,
@@ -43,12 +45,14 @@ export function entry(shape, functional, more = {}) {
       energy_reported: 112.7675,
       iterations: 50,
       evaluations: 57,
+      seconds: null,
       stop: 'converged',
       metric: 'hessian',
       metrics: 3,
+      quadrature: 0,
       evaluable: true,
     })),
-    extrapolated: { status: 'converging', energy: 112.767, order: 5.7, error: 0.0076 },
+    limit: { status: 'converging', energy: 112.767, order: 5.7, error: 0.0076 },
     certificate: { level: 3, unknowns: 4602, gauge: 10, tau: 0.001, negative: 0 },
     second_family: null,
     minimizer: `${shape}.${functional}.json`,
@@ -87,16 +91,35 @@ export function catalog() {
   };
 }
 
-/** @param {string} [shape] @returns {CatalogSurface} of four points */
-export function surface(shape = 'two-3') {
-  const generator = shape === 'sphere' ? 'cube' : shape;
-  const points = Array.from({ length: 12 }, (_, i) => i / 7);
-  return {
-    shape,
-    functional: 'bending',
-    cage: { generator, family: 'flag', thickness: 1 },
-    level: 4,
-    group: 'D3h',
-    points,
-  };
+/** @returns {Required<import('../../wasm/types.js').Options>} */
+const options = () => ({
+  cap: 'smooth',
+  levels: [0, 4],
+  max_iterations: 500,
+  tolerance: 1e-7,
+  symmetry: true,
+  metric: 'auto',
+});
+
+/** @param {string} [shape] @param {string} [functional] @returns {Report} of an entry, whose surface has four points */
+export function report(shape = 'two-3', functional = 'bending') {
+  const { functionals, shapes } = catalog();
+  const { energies, levels, limit, certificate, group } = entry(shape, functional);
+  const found = shapes.find(({ name }) => name === shape) ?? shapes[0];
+  return parseReport(
+    JSON.stringify({
+      umbilic: 'report',
+      version: 1,
+      program: '1.2.3',
+      instruction_set: '',
+      problem: {
+        cage: found.cage,
+        terms: functionals.find(({ name }) => name === functional)?.weights,
+        constraints: {},
+        options: options(),
+      },
+      ...{ group, levels, limit, energies, certificate },
+      surface: { level: 4, points: Array.from({ length: 12 }, (_, i) => i / 7) },
+    }),
+  );
 }

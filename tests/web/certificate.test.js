@@ -5,7 +5,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { initialState, reduce } from '../../web/state/reduce.js';
 import { certificateButton } from '../../web/state/select.js';
-import { after, answered, certificate, ended, openedMessages, progress, resting, running } from './state.js';
+import { after, answered, certificate, ended, openedMessages, resting, running, surfaceState } from './state.js';
 
 describe('a certificate', () => {
   const press = /** @type {const} */ ({ type: 'certifyPressed' });
@@ -30,19 +30,6 @@ describe('a certificate', () => {
     const certified = after(begun, advanced(1), answer);
     expect(certified).toMatchObject({ certifying: null, certificate: certificate() });
     expect(certificateButton(certified).enabled).toBe(false);
-  });
-
-  test('counts its level from the cage, as everything does', () => {
-    const state = after(
-      ended(),
-      { type: 'settingsChanged', change: { origin: 'surface' } },
-      { type: 'startPressed' },
-      ...openedMessages(2),
-      answered({ type: 'ended', run: 2, stop: 'converged', progress: progress(0, 1) }),
-      press,
-      answered({ type: 'certified', run: 2, report: { ...certificate(), level: 0 } }),
-    );
-    expect(state.certificate?.level).toBe(2);
   });
 
   test('is cancelled once, and can be asked for again', () => {
@@ -75,7 +62,7 @@ describe('a certificate', () => {
     const loss = /** @type {const} */ ({ type: 'workerLost', loss: 'silent', detail: '' });
     const wanted = after(ended(), press, cancel, loss);
     expect(wanted).toMatchObject({ status: 'ended', stop: 'converged', certifying: null, alert: null });
-    expect(wanted.opening).toMatchObject({ purpose: 'recovery', source: { kind: 'text', text: 'the end' } });
+    expect(wanted.opening).toMatchObject({ purpose: 'recovery', start: surfaceState(2, 9) });
     const broken = after(ended(), press, { ...loss, loss: 'broken', detail: 'not enough memory' });
     expect(broken.alert).toEqual({ title: 'The certificate broke off', message: 'not enough memory' });
     expect(after(broken, ...openedMessages(2))).toMatchObject({ status: 'ended', stop: 'converged', run: 2 });

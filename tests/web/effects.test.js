@@ -5,9 +5,9 @@
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import { parseStudioAddress } from '../../web/address/studio.js';
 import { createEffects } from '../../web/effects.js';
-import { fileName, reportJson } from '../../web/files/report.js';
+import { fileName } from '../../web/files/names.js';
 import { initialState, reduce } from '../../web/state/reduce.js';
-import { answered, certificate, ended, levelReport, noLimit, openedMessages, resting, running, mesh } from './state.js';
+import { answered, ended, mesh, openedMessages, resting, running } from './state.js';
 
 /** @typedef {import('../../web/state/types.js').Action} Action */
 /** @typedef {import('../../web/state/types.js').State} State */
@@ -57,14 +57,10 @@ describe('the worker is told', () => {
       {
         type: 'open',
         run: 1,
-        source: { kind: 'generated', name: 'two-3', family: 'flag', thickness: 1 },
-        options: {
-          weights: { mvs_cross: 1 },
-          cap: 'smooth',
-          symmetry: true,
-          levels: [0, 2],
-          tolerance: 1e-6,
-          maxIterations: 1000,
+        problem: {
+          cage: { generator: 'two-3', family: 'flag', thickness: 1 },
+          terms: { mvs_cross: 1 },
+          options: { cap: 'smooth', symmetry: true, levels: [0, 2], tolerance: 1e-6, max_iterations: 1000 },
         },
       },
     ]);
@@ -112,9 +108,9 @@ describe('the worker is told', () => {
     const state = run(shown, { type: 'surfaceDrawn' });
     expect(types()).toEqual(['detail', 'expect']);
     run(state, { type: 'againPressed' });
-    const [, { source, options }, again] = sent;
-    expect(options.weights).toEqual({ willmore: 1 });
-    expect(again).toEqual({ type: 'open', run: 2, source, options, then: 'run' });
+    const [, { problem }, again] = sent;
+    expect(problem.terms).toEqual({ willmore: 1 });
+    expect(again).toEqual({ type: 'open', run: 2, problem, then: 'run' });
   });
 
   test('to run what it is still opening', () => {
@@ -157,58 +153,23 @@ describe('the worker is told', () => {
 });
 
 describe('a download', () => {
-  test('of the control cage is what the page holds, under a name that says what it is', () => {
-    run(ended(), { type: 'downloadPressed', what: 'control' });
-    expect(saved).toEqual([['two-3-mvs_cross-level2.obj', 'the end', 'model/obj']]);
-    expect(sent).toEqual([]);
-  });
-
-  test('of the limit mesh is asked of the worker', () => {
-    const state = run(ended(), { type: 'downloadPressed', what: 'limit' });
-    expect(sent).toEqual([{ type: 'export', run: 1 }]);
+  test.each(
+    /** @type {Array<['control' | 'limit' | 'report', string, string]>} */ ([
+      ['control', 'two-3-mvs_cross-level2.obj', 'model/obj'],
+      ['limit', 'two-3-mvs_cross-level2-limit.obj', 'model/obj'],
+      ['report', 'two-3-mvs_cross.json', 'application/json'],
+    ]),
+  )('of the %s is asked of the worker, and saved under a name that says what it is', (what, name, type) => {
+    const state = run(ended(), { type: 'downloadPressed', what });
+    expect(sent).toEqual([{ type: 'export', run: 1, what }]);
     expect(state.exporting).toBe(true);
-    const done = run(state, answered({ type: 'exported', run: 1, obj: 'v 1 2 3' }));
-    expect(saved).toEqual([['two-3-mvs_cross-level2-limit.obj', 'v 1 2 3', 'model/obj']]);
+    const done = run(state, answered({ type: 'exported', run: 1, what, text: 'its text' }));
+    expect(saved).toEqual([[name, 'its text', type]]);
     expect(done.exporting).toBe(false);
-  });
-
-  test('of the report is JSON with null for what diverges', () => {
-    run(ended(), { type: 'downloadPressed', what: 'report' });
-    expect(saved[0][0]).toBe('two-3-mvs_cross.json');
-    const report = JSON.parse(saved[0][1]);
-    expect(report).toMatchObject({
-      version: '1.2.3',
-      input: { name: 'two-3', vertices: 26, genus: 2 },
-      functional: 'mvs_cross',
-      cap: 'smooth',
-      energies: { bending: 113, second_form_variation: null },
-      quadrature_error: 0.01,
-    });
-    expect(report.energies.quadratureError).toBeUndefined();
-  });
-
-  test('of the report has what the command line writes: group, metric, limit and certificate', () => {
-    const state = run(
-      ended(),
-      answered({ type: 'levelEnded', run: 1, report: levelReport(2, { metrics: 3 }), limit: noLimit() }),
-      { type: 'certifyPressed' },
-      answered({ type: 'certified', run: 1, report: certificate() }),
-    );
-    const report = JSON.parse(reportJson(state));
-    expect(report.group).toEqual({ name: 'D3h', order: 12 });
-    expect(report.extrapolated).toEqual({ status: 'too_few_levels', energy: 120.1, order: null, error: null });
-    expect(report.levels[0]).toMatchObject({ level: 2, metric: 'hessian', metrics: 3, evaluable: true });
-    expect(report.levels[0]).not.toHaveProperty('quadrature');
-    expect(report.certificate).toEqual({ level: 2, unknowns: 1146, gauge: 7, tau: 0.001, negative: 6 });
-    const before = JSON.parse(reportJson(resting()));
-    expect(before.group).toEqual({ name: 'D3h', order: 12 });
-    expect(before).not.toHaveProperty('extrapolated');
-    expect(before).not.toHaveProperty('certificate');
   });
 
   test('before a run is named by the cage alone', () => {
     expect(fileName(resting(), 'control')).toBe('two-3-level0.obj');
-    expect(JSON.parse(reportJson(resting())).levels).toEqual([]);
   });
 });
 

@@ -8,9 +8,9 @@ import { addressOf } from '../../web/state/address.js';
 import { findEntry, showsEntry } from '../../web/state/entry.js';
 import { initialState } from '../../web/state/reduce.js';
 import { statusSentence } from '../../web/state/select.js';
-import { defaultSettings, optionsOf } from '../../web/state/settings.js';
-import { catalog, surface } from './catalog.js';
-import { after, answered, openedMessages, stepped } from './state.js';
+import { defaultSettings, problemOf } from '../../web/state/settings.js';
+import { catalog, report } from './catalog.js';
+import { after, answered, openedMessages, stepped, surfaceState } from './state.js';
 
 /** @typedef {import('../../web/state/types.js').State} State */
 
@@ -24,7 +24,7 @@ function loaded(state, shape = 'two-3') {
   const name = state.wanted ?? { shape, functional: 'bending' };
   const found = findEntry(catalog(), name);
   if ('missing' in found) return { type: 'entryMissing', name, message: found.missing };
-  return { type: 'entryLoaded', name, ...found, surface: surface(shape) };
+  return { type: 'entryLoaded', name, ...found, report: report(shape, name.functional) };
 }
 
 /** The page with the catalog's bending minimizer on it. @param {string} [search] */
@@ -43,18 +43,17 @@ describe('an entry of the catalog', () => {
     expect(state.opening).toMatchObject({
       purpose: 'entry',
       then: 'hold',
-      levelOffset: 4,
-      source: { kind: 'minimizer', name: 'two-3', family: 'flag', thickness: 1, level: 4 },
+      start: { level: 4, points: Float64Array.from(report().surface.points) },
+      source: { kind: 'generated', name: 'two-3', family: 'flag', thickness: 1 },
     });
-    expect(state.opening?.source).toHaveProperty('points', Float64Array.from(surface().points));
-    // The mesh of level 4 is the one that is shown.
-    expect(optionsOf(state.settings, 4)).toMatchObject({ levels: [0, 0], weights: { bending: 1 } });
+    const { source, settings, start } = /** @type {import('../../web/state/types.js').Opening} */ (state.opening);
+    expect(problemOf(source, settings, start)).toMatchObject({ terms: { bending: 1 }, options: { levels: [0, 4] } });
   });
 
   test('is the end of the run that the catalog tells of: energies, levels, limit and certificate', () => {
     const state = shown();
-    expect(state).toMatchObject({ status: 'ended', stop: 'converged', levelOffset: 4, samples: [] });
-    expect(state.levels.map(({ level, energyReported }) => [level, energyReported])).toEqual([
+    expect(state).toMatchObject({ status: 'ended', stop: 'converged', samples: [] });
+    expect(state.levels.map(({ level, energy_reported }) => [level, energy_reported])).toEqual([
       [3, 112.7675],
       [4, 112.7675],
     ]);
@@ -64,7 +63,7 @@ describe('an entry of the catalog', () => {
       functional: 'bending',
       levels: [0, 4],
       tolerance: 1e-7,
-      maxIterations: 500,
+      max_iterations: 500,
     });
     expect(state.cage).toMatchObject({ name: 'two-3', source: { kind: 'generated' } });
     expect(statusSentence(state)).toBe('From the catalog.');
@@ -75,7 +74,7 @@ describe('an entry of the catalog', () => {
     const waiting = opened('?shape=two-3&functional=bending');
     const [first] = openedMessages(1);
     const { latest } = after(waiting, loaded(waiting), first);
-    expect(latest?.energies).toMatchObject({ bending: 112.7675, second_form_variation: NaN, quadratureError: 1e-5 });
+    expect(latest?.energies).toMatchObject({ bending: 112.7675, second_form_variation: NaN, quadrature_error: 1e-5 });
   });
 
   test('of a blend has its weights', () => {
@@ -89,8 +88,8 @@ describe('an entry of the catalog', () => {
     const state = after(shown(), { type: 'settingsChanged', change: { origin: 'surface' } }, { type: 'startPressed' });
     expect(state.opening).toMatchObject({
       purpose: 'start',
-      levelOffset: 4,
-      source: { kind: 'text', text: 'start of 1' },
+      source: { kind: 'generated', name: 'two-3' },
+      start: surfaceState(0, 1),
     });
   });
 
@@ -103,7 +102,7 @@ describe('an entry of the catalog', () => {
     expect(again.opening).toMatchObject({
       purpose: 'start',
       then: 'run',
-      levelOffset: 0,
+      start: null,
       source: { kind: 'generated', name: 'two-3' },
       settings: { functional: 'bending', cap: 'smooth', levels: [0, 4], tolerance: 1e-7, origin: 'cage' },
     });
@@ -117,7 +116,7 @@ describe('an entry of the catalog', () => {
 
   test('comes back when the worker is lost', () => {
     const lost = after(shown(), { type: 'workerLost', loss: 'broken', detail: '' });
-    expect(lost.opening).toMatchObject({ purpose: 'recovery', levelOffset: 4, source: { kind: 'text' } });
+    expect(lost.opening).toMatchObject({ purpose: 'recovery', start: surfaceState(0, 1) });
     const back = after(lost, ...openedMessages(2));
     expect(showsEntry(back)).toBe(true);
     expect(back).toMatchObject({ status: 'ended', levels: lost.levels });

@@ -5,7 +5,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { initialState, reduce } from '../../web/state/reduce.js';
 import { objectiveValue, runButtons, statusSentence } from '../../web/state/select.js';
-import { changeSettings, defaultSettings, optionsOf, problemWith } from '../../web/state/settings.js';
+import { changeSettings, defaultSettings, problemOf, problemWith, settingsFrom } from '../../web/state/settings.js';
 import {
   after,
   answered,
@@ -18,6 +18,7 @@ import {
   resting,
   running,
   stepped,
+  surfaceState,
 } from './state.js';
 
 const text = new TextEncoder().encode('v 0 0 0');
@@ -92,7 +93,7 @@ describe('a file', () => {
     const refused = after(
       before,
       drop('bad.obj'),
-      answered({ type: 'failed', run: 2, kind: 'input', message: 'line 12: face has 2 vertices' }),
+      answered({ type: 'failed', run: 2, kind: 'input', message: 'bad.obj: line 12: face has 2 vertices' }),
     );
     expect(refused.alert).toEqual({ title: 'bad.obj was not opened', message: 'line 12: face has 2 vertices' });
     for (const part of /** @type {const} */ (['surface', 'cage', 'run', 'samples', 'saved', 'status', 'settings'])) {
@@ -119,6 +120,50 @@ describe('a file', () => {
       answered({ type: 'failed', run: 2, kind: 'input', message: 'no' }),
     );
     expect(after(refused, drop('good.obj'), ...openedMessages(3)).alert).toBeNull();
+  });
+});
+
+describe('the file of a problem or a report', () => {
+  const json = new TextEncoder().encode(' {"umbilic": "report"}');
+  const asked = {
+    cage: { generator: 'torus', ratio: 0.3 },
+    terms: { bending: 1 },
+    options: { cap: /** @type {const} */ ('flat'), levels: /** @type {[number, number]} */ ([1, 3]) },
+  };
+  /** @param {any} [report] @returns {import('../../web/state/types.js').State} */
+  function opened(report) {
+    const [first, ...others] = openedMessages(2);
+    const message = /** @type {any} */ (first).message;
+    return after(
+      resting(),
+      { type: 'fileChosen', name: 'kept.json', text: json },
+      answered({ ...message, asked, ...(report && { report }) }),
+      ...others,
+    );
+  }
+
+  test('is told from a cage by its first character, and opened as it is', () => {
+    const opening = after(resting(), { type: 'fileChosen', name: 'kept.json', text: json });
+    expect(opening.opening?.source).toEqual({ kind: 'problem', name: 'kept.json', text: json });
+    expect(problemOf(/** @type {any} */ (opening.opening).source, defaultSettings, null)).toBe(
+      ' {"umbilic": "report"}',
+    );
+  });
+
+  test('brings its cage and its settings', () => {
+    const state = opened();
+    expect(state).toMatchObject({ status: 'resting', run: 2, generator: { name: 'torus', family: 'flag' } });
+    expect(state.cage?.source).toEqual({ kind: 'generated', name: 'torus', family: 'flag', thickness: 1, ratio: 0.3 });
+    expect(state.settings).toMatchObject({ functional: 'bending', cap: 'flat', levels: [1, 3], tolerance: 1e-6 });
+    expect(state.runSettings).toEqual(state.settings);
+  });
+
+  test('of a report is the end of its run, which goes on from its surface', () => {
+    const report = { levels: [levelReport(3)], limit: noLimit(), energies: energies(80), problem: asked };
+    const state = opened(report);
+    expect(state).toMatchObject({ status: 'ended', stop: 'converged', limit: noLimit(), levels: report.levels });
+    const again = reduce(state, { type: 'startPressed' });
+    expect(again.opening).toMatchObject({ purpose: 'start', then: 'run', start: surfaceState(0, 2) });
   });
 });
 
@@ -169,16 +214,31 @@ describe('settings', () => {
     expect(working(blend)).toEqual([]);
     expect(reduce(blend, { type: 'startPressed' })).toBe(blend);
     expect(problemWith({ ...defaultSettings, tolerance: NaN })).toMatch(/tolerance/);
-    expect(problemWith({ ...defaultSettings, maxIterations: 1.5 })).toMatch(/whole number/);
+    expect(problemWith({ ...defaultSettings, max_iterations: 1.5 })).toMatch(/whole number/);
     expect(problemWith(defaultSettings)).toBeNull();
   });
 
-  test('become options of the minimizer, with levels counted from where it starts', () => {
-    expect(optionsOf({ ...defaultSettings, levels: [1, 4] }, 0).levels).toEqual([1, 4]);
-    expect(optionsOf({ ...defaultSettings, levels: [1, 4] }, 2).levels).toEqual([0, 2]);
-    expect(optionsOf(defaultSettings, 0)).toMatchObject({ weights: { mvs_cross: 1 }, symmetry: true });
-    expect(optionsOf({ ...defaultSettings, symmetry: false }, 0).symmetry).toBe(false);
-    expect(optionsOf({ ...defaultSettings, functional: 'blend' }, 0).weights).toEqual({ bending: 0.5, mvs_cross: 0.5 });
+  test('become a problem, and come back from it', () => {
+    const source = /** @type {const} */ ({ kind: 'generated', name: 'torus', family: 'hub', thickness: 2, ratio: 0.3 });
+    const start = surfaceState(2, 7);
+    for (const settings of [
+      defaultSettings,
+      changeSettings(defaultSettings, {
+        levels: [1, 4],
+        symmetry: false,
+        cap: 'flat',
+        max_iterations: 7,
+        tolerance: 0.1,
+      }),
+      changeSettings(defaultSettings, { functional: 'blend' }),
+    ]) {
+      const problem = /** @type {import('../../wasm/types.js').Problem} */ (problemOf(source, settings, start));
+      expect(problem.cage).toEqual({ generator: 'torus', family: 'hub', thickness: 2, ratio: 0.3 });
+      expect(problem.start).toBe(start);
+      expect(settingsFrom(defaultSettings, problem)).toEqual(settings);
+    }
+    expect(problemOf(source, defaultSettings, null)).toMatchObject({ terms: { mvs_cross: 1 } });
+    expect(problemOf(source, defaultSettings, null)).not.toHaveProperty('start');
   });
 
   test('say what the objective is worth, also when a part of it diverges', () => {
@@ -225,7 +285,7 @@ describe('a run', () => {
 
   test('ends with its reason in words', () => {
     const state = ended();
-    expect(state).toMatchObject({ status: 'ended', stop: 'converged', saved: { obj: 'the end', level: 2 } });
+    expect(state).toMatchObject({ status: 'ended', stop: 'converged', saved: { state: surfaceState(2, 9) } });
     expect(statusSentence(state)).toBe('Converged after 5 evaluations.');
     expect(working(state)).toEqual(['Start', 'Step', 'Reset']);
   });
@@ -237,7 +297,7 @@ describe('a run', () => {
       purpose: 'start',
       then: 'run',
       source: { kind: 'generated' },
-      levelOffset: 0,
+      start: null,
     });
     const opened = after(state, ...openedMessages(2));
     expect(opened).toMatchObject({ status: 'running', samples: [], levels: [], fits: 1 });
@@ -249,11 +309,10 @@ describe('a run', () => {
       { type: 'settingsChanged', change: { origin: 'surface', levels: [0, 3] } },
       { type: 'startPressed' },
     );
-    expect(state.opening).toMatchObject({ then: 'run', levelOffset: 2, source: { kind: 'text', text: 'the end' } });
-    const opened = after(state, ...openedMessages(2), stepped(2, 3, 0));
+    expect(state.opening).toMatchObject({ then: 'run', source: { kind: 'generated' }, start: surfaceState(2, 9) });
+    const opened = after(state, ...openedMessages(2), stepped(2, 3, 2));
     expect(opened.cage?.source.kind).toBe('generated');
     expect(opened.samples[0].level).toBe(2);
-    expect(opened.saved?.level).toBe(2);
   });
 
   test('is taken back to the cage by Reset, also while it goes on', () => {
@@ -285,13 +344,13 @@ describe('a worker that is lost', () => {
     expect(lost).toMatchObject({ status: 'ended', stop: 'interrupted', settings: { origin: 'surface' } });
     expect(lost.surface).toBe(before.surface);
     expect(lost.samples).toBe(before.samples);
-    expect(lost.opening).toMatchObject({ purpose: 'recovery', source: { kind: 'text', text: 'after 5' } });
+    expect(lost.opening).toMatchObject({ purpose: 'recovery', start: surfaceState(0, 5) });
     expect(lost.alert?.message).toMatch(/5 evaluations is kept/);
     const back = after(lost, ...openedMessages(2));
     expect(back).toMatchObject({ status: 'ended', run: 2, samples: before.samples, opening: null });
     expect(working(back)).toEqual(['Start', 'Step', 'Reset']);
     expect(reduce(back, { type: 'startPressed' }).opening).toMatchObject({
-      source: { text: 'start of 2' },
+      start: surfaceState(0, 2),
       then: 'run',
     });
   });
@@ -307,7 +366,7 @@ describe('a worker that is lost', () => {
     const lost = after(running(), loss, loss);
     expect(lost.opening).toBeNull();
     expect(lost.status).toBe('ended');
-    expect(lost.saved?.obj).toBe('after 5');
+    expect(lost.saved?.state).toEqual(surfaceState(0, 5));
     expect(lost.alert?.message).toMatch(/out of memory/);
   });
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The parts of the scene that need no graphics: arrays handed to three.js, the extent of a surface, where the camera stands, and the pace of
+ * @file The parts of the scene that need no graphics: arrays handed to three.js, the extent of a surface, where it and the camera stand, and the pace of
  * frames.
  */
 import { setTimeout as sleep } from 'node:timers/promises';
@@ -9,6 +9,7 @@ import { BufferGeometry, Vector3 } from 'three';
 import { extent, setEdges, setSurface } from '../../web/scene/geometry.js';
 import { createPace } from '../../web/scene/pace.js';
 import { cameraOf, fittingDistance, placementOf } from '../../web/scene/placement.js';
+import { createStand } from '../../web/scene/stand.js';
 import { mesh } from './state.js';
 
 describe('a geometry', () => {
@@ -61,9 +62,51 @@ describe('a geometry', () => {
   });
 });
 
-describe('where the camera stands', () => {
-  const size = { centre: new Vector3(1, -2, 3), radius: 0.4 };
+describe('a surface', () => {
+  /** Where a point of the model is in the world. @param {ReturnType<typeof createStand>} stand @param {...number} point */
+  function inWorld({ object, model }, ...point) {
+    object.updateMatrixWorld(true);
+    return new Vector3(...point).applyMatrix4(model.matrixWorld).toArray();
+  }
 
+  test('stands about the origin with radius 1 wherever it lies, also after it has moved and been told again', () => {
+    const stand = createStand();
+    for (const [centre, radius] of /** @type {Array<[[number, number, number], number]>} */ ([
+      [[50, -30, 20], 2],
+      [[48, -30, 21], 0.5],
+      [[48, -30, 21], 0.5],
+      [[0, 0, 0], 1e-6],
+      [[1e6, 0, 0], 1],
+    ])) {
+      stand.centre({ centre, radius });
+      // Rounded are the factor and the product with the centre.
+      const digits = 15 - Math.ceil(Math.log10(1 + Math.max(...centre.map(Math.abs)) / radius));
+      inWorld(stand, ...centre).forEach((value) => expect(value).toBeCloseTo(0, digits));
+      const [x, y, z] = inWorld(stand, centre[0] + radius, centre[1], centre[2]);
+      expect(Math.hypot(x, y, z)).toBeCloseTo(1, digits);
+    }
+  });
+
+  test('is turned about its own centre when the axis that points upwards changes', () => {
+    const stand = createStand();
+    stand.centre({ centre: [50, -30, 20], radius: 2 });
+    stand.setUp('z');
+    const centre = inWorld(stand, 50, -30, 20);
+    const top = inWorld(stand, 50, -30, 22);
+    centre.forEach((value) => expect(value).toBeCloseTo(0, 12));
+    [0, 1, 0].forEach((value, axis) => expect(top[axis]).toBeCloseTo(value, 12));
+  });
+
+  test('without an extent is drawn in its own size', () => {
+    const stand = createStand();
+    for (const radius of [0, NaN, Infinity]) {
+      stand.centre({ centre: [1, 2, 3], radius });
+      expect(inWorld(stand, 2, 2, 3)).toEqual([1, 0, 0]);
+    }
+  });
+});
+
+describe('where the camera stands', () => {
   test.each([
     { azimuth: 0, elevation: 0, distance: 1, target: [0, 0, 0] },
     { azimuth: -123.4, elevation: 56.7, distance: 2.5, target: [0.1, -0.25, 3] },
@@ -71,15 +114,15 @@ describe('where the camera stands', () => {
     { azimuth: 180, elevation: -89.9, distance: 8, target: [0, 0, 0] },
   ])('for %j leads back to it, whatever the shape of the picture', (numbers) => {
     const camera = /** @type {import('../../web/address/camera.js').Camera} */ (numbers);
-    for (const aspect of [0.5, 1, 2]) expect(cameraOf(placementOf(camera, size, aspect), size, aspect)).toEqual(camera);
+    for (const aspect of [0.5, 1, 2]) expect(cameraOf(placementOf(camera, aspect), aspect)).toEqual(camera);
   });
 
-  test('is on the axis at elevation 90, and where a ball of the radius touches the picture’s edges less the margin', () => {
-    const { position, target } = placementOf({ azimuth: 0, elevation: 90, distance: 1, target: [0, 0, 0] }, size, 1);
-    expect(target).toEqual(size.centre);
+  test('is on the axis at elevation 90, and where the unit ball touches the picture’s edges less the margin', () => {
+    const { position, target } = placementOf({ azimuth: 0, elevation: 90, distance: 1, target: [0, 0, 0] }, 1);
+    expect(target.toArray()).toEqual([0, 0, 0]);
     const away = position.clone().sub(target);
     // Less than a tenth of a degree from it, so that the azimuth is not lost.
-    expect(away.y).toBeCloseTo(fittingDistance(0.4, 1), 6);
+    expect(away.y).toBeCloseTo(fittingDistance(1), 6);
     expect(Math.hypot(away.x, away.z)).toBeLessThan(1e-3 * away.y);
     // The angle from the ball's centre to its outline is asin(radius / distance).
     for (const [aspect, half] of [
@@ -87,7 +130,7 @@ describe('where the camera stands', () => {
       [3, 14],
       [0.5, (Math.atan(Math.tan((14 * Math.PI) / 180) / 2) * 180) / Math.PI],
     ]) {
-      const angle = (Math.asin(0.4 / fittingDistance(0.4, aspect)) * 180) / Math.PI;
+      const angle = (Math.asin(1 / fittingDistance(aspect)) * 180) / Math.PI;
       expect(angle).toBeLessThan(half);
       expect(angle).toBeGreaterThan(0.8 * half);
     }

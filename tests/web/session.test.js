@@ -3,10 +3,10 @@
  * @file The worker's session on the real core: what it answers, in which order, and when it listens.
  */
 import { describe, expect, test } from '@jest/globals';
-import { Cage, Minimizer } from '../../wasm/umbilic.js';
+import { Cage, Minimizer, parseReport } from '../../wasm/umbilic.js';
 import { MOVING_QUADS, RESTING_QUADS, densityFor } from '../../web/worker/density.js';
 import { SAMPLE_SIZE, transferables } from '../../web/worker/protocol.js';
-import { all, open, options, session, types, useSession, work } from './session_harness.js';
+import { all, open, problemOf, session, types, useSession, work } from './session_harness.js';
 
 useSession();
 
@@ -18,29 +18,23 @@ describe('opening', () => {
     expect(types()).toEqual(['opened', 'surfaced', 'saved', 'measured']);
     const [opened, surfaced, saved, measured] = session.messages;
     expect(opened.group).toEqual({ name: 'Oh', order: 48 });
-    expect(opened.counts).toMatchObject({ vertices: 8, genus: 0 });
+    expect(opened.cage).toMatchObject({ vertices: 8, genus: 0 });
+    expect(opened).not.toHaveProperty('asked');
     expect(surfaced.limit.positions.length).toBeGreaterThan(1000);
     expect(surfaced.control.edges).toHaveLength(2 * 48);
-    expect(Cage.read(saved.obj).counts.faces).toBe(24);
-    expect(saved.level).toBe(1);
+    // One of each kind of vertex: of the cube's vertices, edges and faces.
+    expect(saved.state).toEqual({ level: 1, points: expect.any(Float64Array) });
+    expect(saved.state.points).toHaveLength(3 * 3);
     expect(measured.energies.bending).toBeGreaterThan(8 * Math.PI);
     expect(session.waiting).toEqual([]);
   });
 
   test('goes on from a minimizer by its orbits’ points: its symmetry, its cage’s counts, and its energies; coarsely first', () => {
-    const cage = Cage.generate('two-3');
-    const minimizer = new Minimizer(cage, { weights: { bending: 1 }, levels: [1, 1] });
+    const cage = { generator: 'two-3' };
+    const minimizer = new Minimizer(problemOf({ cage }));
     while (!minimizer.step(10));
-    const points = minimizer.orbitPoints();
-    const source = /** @type {const} */ ({
-      kind: 'minimizer',
-      name: 'two-3',
-      family: 'flag',
-      thickness: 1,
-      level: 1,
-      points,
-    });
-    session.obey({ type: 'open', run: 1, source, options: { ...options, levels: [0, 0] } });
+    const start = minimizer.state;
+    open(1, { cage, start }, { look: true });
     work();
     expect(types()).toEqual(['opened', 'surfaced']); // what takes time waits until it has been drawn
     expect(session.rests).toBe(0);
@@ -50,16 +44,39 @@ describe('opening', () => {
     expect(all('surfaced').map(({ coarse }) => coarse)).toEqual([true, undefined]);
     expect(session.rests).toBe(1);
     const [opened, coarse, fine, , measured] = session.messages;
-    expect(opened).toMatchObject({ counts: cage.counts, group: { name: 'D3h', order: 12 } });
+    expect(opened).toMatchObject({ cage: minimizer.cage, group: { name: 'D3h', order: 12 } });
     const quads = [coarse, fine].map(({ limit }) => limit.triangles.length / 6);
     expect(quads).toEqual([MOVING_QUADS, RESTING_QUADS].map((most) => 96 * densityFor(96, most) ** 2));
     expect(quads[0]).toBeLessThan(quads[1] / 3);
     expect(measured.energies.bending / minimizer.energies.bending).toBeCloseTo(1, 10);
 
-    session.obey({ type: 'open', run: 2, source: { ...source, level: 2 }, options });
+    open(2, { cage, start: { ...start, level: 2 } });
     expect(all('failed')).toEqual([expect.objectContaining({ run: 2, kind: 'input' })]);
     minimizer.dispose();
-    cage.dispose();
+  });
+
+  test('of a file says what it asks, and of a report what came out and where it goes on', () => {
+    const minimizer = new Minimizer(problemOf({ levels: [0, 2] }));
+    while (!minimizer.step(10));
+    session.obey({ type: 'open', run: 1, problem: minimizer.report() });
+    work();
+    const [opened, , saved] = session.messages;
+    const { asked } = opened;
+    expect(asked).toMatchObject({ cage: { generator: 'cube' }, terms: { bending: 1 }, options: { levels: [0, 2] } });
+    expect(asked).not.toHaveProperty('start');
+    expect(opened.report.levels).toEqual(minimizer.levels);
+    expect(saved.state.level).toBe(2);
+    expect(saved.state.points).toHaveLength(minimizer.state.points.length);
+    const text = JSON.stringify({ umbilic: 'problem', version: 1, ...problemOf() });
+    session.obey({ type: 'open', run: 2, problem: text });
+    expect(all('opened').at(-1)).not.toHaveProperty('report');
+    session.obey({ type: 'open', run: 3, problem: text.replace('[1,1]', '[1]') });
+    expect(all('failed').at(-1)).toMatchObject({
+      run: 3,
+      kind: 'input',
+      message: expect.stringMatching(/^options.levels/),
+    });
+    minimizer.dispose();
   });
 
   test('shows a cage that is too coarse to be evaluated as finely as any other', () => {
@@ -76,9 +93,9 @@ describe('opening', () => {
     work(3);
     session.messages.length = 0;
     const text = new TextEncoder().encode('v 0 0 0\nv 1 0 0\nf 1 2\n');
-    session.obey({ type: 'open', run: 2, source: { kind: 'text', name: 'bad.obj', text }, options });
+    open(2, { cage: { name: 'bad.obj', text } });
     expect(session.messages).toEqual([
-      { type: 'failed', run: 2, kind: 'input', message: expect.stringMatching(/^line 3/) },
+      { type: 'failed', run: 2, kind: 'input', message: expect.stringMatching(/^bad.obj: line 3/) },
     ]);
     session.obey({ type: 'optimize', run: 2 }); // sent before the page knew
     work();
@@ -114,11 +131,11 @@ describe('a run', () => {
     expect(all('levelEnded').map(({ report }) => report.level)).toEqual([1, 2]);
     expect(all('levelEnded').map(({ limit }) => limit.status)).toEqual(['too_few_levels', 'too_few_levels']);
     const [ended] = all('ended');
-    expect(ended.progress.totalEvaluations).toBe(evaluations.length);
+    expect(ended.progress.total_evaluations).toBe(evaluations.length);
     expect(ended.stop).toBe(all('levelEnded')[1].report.stop);
     // After the answer, everything that the page needs to rest.
     expect(types().slice(types().indexOf('ended'))).toEqual(['ended', 'surfaced', 'saved', 'measured']);
-    expect(session.messages.at(-1).energies.bending).toBeCloseTo(all('levelEnded')[1].report.energyReported, 9);
+    expect(session.messages.at(-1).energies.bending).toBeCloseTo(all('levelEnded')[1].report.energy_reported, 9);
   });
 
   test('shows the first surface that has moved before it does anything else that takes time', () => {
@@ -145,13 +162,7 @@ describe('a run', () => {
   });
 
   test('goes on showing its surface where a finer quadrature rule lets the energy rise', () => {
-    const source = /** @type {const} */ ({
-      kind: 'generated',
-      name: 'dodecahedron-frame',
-      family: 'flag',
-      thickness: 1,
-    });
-    session.obey({ type: 'open', run: 1, source, options: { ...options, levels: [0, 2] } });
+    open(1, { cage: { generator: 'dodecahedron-frame' }, levels: [0, 2] });
     work();
     session.obey({ type: 'optimize', run: 1 });
     work();
@@ -183,11 +194,11 @@ describe('a run', () => {
     open(1, { levels: [2, 2] });
     session.obey({ type: 'optimize', run: 1 });
     while (!all('stepped').length) work(1);
-    const before = all('stepped').at(-1).progress.totalEvaluations;
+    const before = all('stepped').at(-1).progress.total_evaluations;
     work(1);
     session.obey({ type: 'pause', run: 1 });
     const [paused] = all('paused');
-    expect(paused.progress.totalEvaluations).toBeLessThanOrEqual(before + 1);
+    expect(paused.progress.total_evaluations).toBeLessThanOrEqual(before + 1);
     const count = session.messages.length;
     work();
     expect(session.messages).toHaveLength(count); // stands still
@@ -209,7 +220,7 @@ describe('a run', () => {
     for (const expected of [1, 2]) {
       session.obey({ type: 'step', run: 1 });
       work();
-      expect(all('paused').at(-1).progress.totalEvaluations).toBe(expected);
+      expect(all('paused').at(-1).progress.total_evaluations).toBe(expected);
     }
   });
 
@@ -233,29 +244,44 @@ describe('a run', () => {
     open(1, { levels: [2, 2] });
     session.obey({ type: 'optimize', run: 1 });
     work();
-    const saved = all('saved').at(-1);
-    expect(saved.level).toBe(2);
+    const { state } = all('saved').at(-1);
+    expect(state.level).toBe(2);
     session.messages.length = 0;
-    session.obey({
-      type: 'open',
-      run: 2,
-      source: { kind: 'text', name: 'saved', text: saved.obj },
-      options: { ...options, levels: [0, 0] },
-    });
+    open(2, { levels: [0, 0], start: state });
     session.obey({ type: 'optimize', run: 2 });
     work();
     const [first] = all('stepped');
     expect(first.samples[1] / all('ended')[0].progress.energy - 1).toBeLessThan(1e-6);
   });
 
-  test('exports its limit mesh', () => {
+  test('exports its meshes and its report', () => {
     open(1);
     work();
-    session.obey({ type: 'export', run: 1 });
-    const [exported] = all('exported');
-    const cage = Cage.read(exported.obj);
-    expect(cage.counts.faces).toBe(24 * densityFor(24, 200_000) ** 2);
-    cage.dispose();
+    const [control, limit, report] = /** @type {const} */ (['control', 'limit', 'report']).map((what) => {
+      session.obey({ type: 'export', run: 1, what });
+      expect(all('exported').at(-1)).toMatchObject({ run: 1, what });
+      return all('exported').at(-1).text;
+    });
+    const cages = [control, limit].map((obj) => Cage.read(obj));
+    expect(cages.map(({ counts }) => counts.faces)).toEqual([24, 24 * densityFor(24, 200_000) ** 2]);
+    cages.forEach((cage) => cage.dispose());
+    expect(parseReport(report)).toMatchObject({ umbilic: 'report', problem: problemOf(), levels: [] });
+  });
+
+  test('has its certificate in its report until its surface moves', () => {
+    const certificateOf = () => {
+      session.obey({ type: 'export', run: 1, what: 'report' });
+      return parseReport(all('exported').at(-1).text).certificate;
+    };
+    open(1, { levels: [1, 2] });
+    work();
+    expect(certificateOf()).toBeUndefined();
+    session.obey({ type: 'certify', run: 1 });
+    work();
+    expect(certificateOf()).toEqual(all('certified')[0].report);
+    session.obey({ type: 'optimize', run: 1 });
+    work();
+    expect(certificateOf()).toBeUndefined();
   });
 });
 
@@ -279,6 +305,8 @@ test('the buffers of meshes and samples are handed over, empty ones are not', ()
   expect(buffers).not.toContain(surfaced.control.curvatures.buffer);
   expect(new Set(buffers).size).toBe(buffers.length);
   expect(transferables(session.messages[0])).toEqual([]);
+  const [saved] = all('saved');
+  expect(transferables(saved)).toEqual([saved.state.points.buffer]);
 });
 
 test('a mesh has about as many quads as asked, and at least one for each patch', () => {

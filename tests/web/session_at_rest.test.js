@@ -3,7 +3,7 @@
  * @file The worker's session while a surface rests: what it prepares before it is asked, and certificates.
  */
 import { describe, expect, test } from '@jest/globals';
-import { all, open, options, session, types, useSession, work } from './session_harness.js';
+import { all, open, problemOf, session, types, useSession, work } from './session_harness.js';
 
 useSession();
 
@@ -18,10 +18,10 @@ describe('while a surface rests', () => {
   }
 
   test('its level is prepared, so that the first steps are evaluations', () => {
-    open(1, { levels: [1, 2], weights: { mvs_cross: 1 } });
+    open(1, { levels: [1, 2], terms: { mvs_cross: 1 } });
     session.obey({ type: 'optimize', run: 1 });
     const unprepared = turnsUntilMoved(1);
-    open(2, { levels: [1, 2], weights: { mvs_cross: 1 } });
+    open(2, { levels: [1, 2], terms: { mvs_cross: 1 } });
     work();
     expect(session.rests).toBe(1);
     session.obey({ type: 'optimize', run: 2 });
@@ -31,15 +31,14 @@ describe('while a surface rests', () => {
   });
 
   test('the run that is expected next is prepared as well, and no other is taken for it', () => {
-    const source = /** @type {const} */ ({ kind: 'generated', name: 'two-3', family: 'flag', thickness: 1 });
-    const asked = { ...options, weights: { mvs_cross: 1 } };
+    const asked = { cage: { generator: 'two-3' }, terms: { mvs_cross: 1 } };
     open(1);
-    session.obey({ type: 'expect', run: 1, source, options: asked });
+    session.obey({ type: 'expect', run: 1, problem: problemOf(asked) });
     work();
     const energies = [];
     const turns = [];
     for (const [run, changed] of [asked, { ...asked, levels: /** @type {[number, number]} */ ([1, 2]) }].entries()) {
-      session.obey({ type: 'open', run: run + 2, source, options: changed, then: 'run' });
+      open(run + 2, changed, { then: 'run' });
       turns.push(turnsUntilMoved(run + 2));
       energies.push(all('measured')[0].energies.mvs_cross);
     }
@@ -51,8 +50,7 @@ describe('while a surface rests', () => {
     open(1);
     work();
     session.messages.length = 0;
-    const source = /** @type {const} */ ({ kind: 'generated', name: 'none', family: 'flag', thickness: 1 });
-    session.obey({ type: 'expect', run: 1, source, options });
+    session.obey({ type: 'expect', run: 1, problem: problemOf({ cage: { generator: 'none' } }) });
     work();
     expect(session.messages).toEqual([]);
   });

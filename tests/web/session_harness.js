@@ -3,7 +3,7 @@
  * @file The worker's session on the real core, for tests: what it posts is kept, and it works when it is told to.
  */
 import { beforeAll, beforeEach } from '@jest/globals';
-import { Cage, InputError, Minimizer, load } from '../../wasm/umbilic.js';
+import { InputError, Minimizer, load, parseReport } from '../../wasm/umbilic.js';
 import { createSession } from '../../web/worker/session.js';
 
 /** @typedef {import('../../web/worker/protocol.js').Command} Command */
@@ -30,7 +30,7 @@ export function useSession() {
     let clock = 0;
     Object.assign(session, { messages: [], waiting: [], rests: 0, pace: 5 });
     session.obey = createSession({
-      core: { Cage, InputError, Minimizer },
+      core: { InputError, Minimizer, parseReport },
       post: (message) => session.messages.push(message),
       yieldThen: (task) => session.waiting.push(task),
       now: () => (clock += session.pace),
@@ -39,13 +39,18 @@ export function useSession() {
   });
 }
 
-/** @type {import('../../wasm/types.js').MinimizerOptions} */
-export const options = { weights: { bending: 1 }, levels: [1, 1], cap: 'smooth' };
+/**
+ * Of bending on the cube at level 1, unless more is said.
+ * @param {import('../../wasm/types.js').Options & Partial<import('../../wasm/types.js').Problem>} [more] options, and members beside them
+ * @returns {import('../../wasm/types.js').Problem}
+ */
+export function problemOf({ cage = { generator: 'cube' }, terms = { bending: 1 }, start, ...options } = {}) {
+  return { cage, terms, options: { levels: [1, 1], cap: 'smooth', ...options }, ...(start && { start }) };
+}
 
-/** @param {number} run @param {any} [more] options @param {{then?: 'run' | 'step'}} [goesOn] */
-export function open(run, more = {}, goesOn = {}) {
-  const source = /** @type {const} */ ({ kind: 'generated', name: 'cube', family: 'flag', thickness: 1 });
-  session.obey({ type: 'open', run, source, options: { ...options, ...more }, ...goesOn });
+/** @param {number} run @param {Parameters<typeof problemOf>[0]} [more] @param {{then?: 'run' | 'step', look?: boolean}} [how] */
+export function open(run, more = {}, how = {}) {
+  session.obey({ type: 'open', run, problem: problemOf(more), ...how });
 }
 
 /** Lets the session work, `turns` yields at most. @param {number} [turns] */

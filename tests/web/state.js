@@ -17,6 +17,7 @@ export const answered = (message) => ({ type: 'answered', message });
 /** @returns {import('../../wasm/types.js').Mesh} */
 export function mesh() {
   return {
+    centre: new Float64Array(3),
     positions: new Float32Array(9),
     normals: new Float32Array(9),
     curvatures: new Float32Array(6),
@@ -25,17 +26,18 @@ export function mesh() {
   };
 }
 
-/** @param {number} level @param {number} totalEvaluations @returns {import('../../wasm/types.js').Progress} */
-export function progress(level, totalEvaluations) {
+/** @param {number} level @param {number} total_evaluations @returns {import('../../wasm/types.js').Progress} */
+export function progress(level, total_evaluations) {
   return {
     phase: 'minimize',
     level,
-    iterations: totalEvaluations,
-    evaluations: totalEvaluations,
-    totalEvaluations,
+    ended_levels: 0,
+    iterations: total_evaluations,
+    evaluations: total_evaluations,
+    total_evaluations,
     energy: 120,
-    gradientNorm: 1,
-    predictedDecrease: 0.5,
+    gradient_norm: 1,
+    predicted_decrease: 0.5,
   };
 }
 
@@ -50,7 +52,8 @@ export function energies(bending) {
     second_form_variation: NaN,
     area: 12,
     gaussian: -4 * Math.PI,
-    quadratureError: 0.01,
+    quadrature_error: 0.01,
+    whole: true,
   };
 }
 
@@ -65,7 +68,7 @@ export function levelReport(level, more = {}) {
     patches: 24 * 4 ** level,
     unknowns: 78,
     energy: 120,
-    energyReported: 120.1,
+    energy_reported: 120.1,
     iterations: 4,
     evaluations: 5,
     seconds: 1,
@@ -84,13 +87,17 @@ export const noLimit = () => ({ status: 'too_few_levels', energy: 120.1, order: 
 /** @returns {import('../../wasm/types.js').CertificateReport} */
 export const certificate = () => ({ level: 2, unknowns: 1146, gauge: 7, tau: 0.001, negative: 6 });
 
+/** A surface that is told from others by its first number. @param {number} level @param {number} mark */
+export const surfaceState = (level, mark) => ({ level, points: Float64Array.of(mark, 0, 0) });
+
 /** What the worker says when it has opened run `run`. @param {number} run @returns {Action[]} */
 export function openedMessages(run) {
-  const counts = { vertices: 26, edges: 60, faces: 32, components: 1, genus: 2 };
+  const counts = { vertices: 26, edges: 60, faces: 32, genus: 2 };
+  const cage = { ...counts, components: [counts] };
   return [
-    answered({ type: 'opened', run, counts, group: { name: 'D3h', order: 12 } }),
+    answered({ type: 'opened', run, cage, group: { name: 'D3h', order: 12 } }),
     answered({ type: 'surfaced', run, evaluations: 0, limit: mesh(), control: mesh() }),
-    answered({ type: 'saved', run, level: 0, evaluations: 0, obj: `start of ${run}` }),
+    answered({ type: 'saved', run, evaluations: 0, state: surfaceState(0, run) }),
     answered({ type: 'measured', run, evaluations: 0, energies: energies(150) }),
   ];
 }
@@ -121,7 +128,7 @@ export function running() {
     resting(),
     { type: 'startPressed' },
     stepped(1, 5),
-    answered({ type: 'saved', run: 1, level: 0, evaluations: 5, obj: 'after 5' }),
+    answered({ type: 'saved', run: 1, evaluations: 5, state: surfaceState(0, 5) }),
   );
 }
 
@@ -130,7 +137,7 @@ export function ended() {
   return after(
     running(),
     answered({ type: 'ended', run: 1, stop: 'converged', progress: progress(2, 5) }),
-    answered({ type: 'saved', run: 1, level: 2, evaluations: 5, obj: 'the end' }),
+    answered({ type: 'saved', run: 1, evaluations: 5, state: surfaceState(2, 9) }),
     answered({ type: 'measured', run: 1, evaluations: 5, energies: energies(113) }),
   );
 }

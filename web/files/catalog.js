@@ -3,7 +3,7 @@
  * @file The catalog's files as the pages read them, in the schema in which `npm run catalog` writes them.
  */
 
-/** @import {CertificateReport, FunctionalName, Group, LevelReport, LimitStatus} from '../../wasm/types.js' */
+/** @import {CertificateReport, FunctionalName, GeneratedCage, Group, LevelReport, LimitStatus, Options, Report} from '../../wasm/types.js' */
 
 /**
  * What is known of a minimizer. The energy of `converged` is extrapolated and has an error bar; that of `upper_bound` is a genuine
@@ -13,16 +13,14 @@
 
 /** A column. @typedef {{name: string, weights: Partial<Record<FunctionalName, number>>}} CatalogFunctional */
 
-/** What a generated cage is made from. @typedef {{generator: string, family: 'hub' | 'flag', thickness: number}} CatalogCage */
-
 /**
  * A row. `junctions` and `arms` of each junction are 0 where there are none.
- * @typedef {{name: string, genus: number, junctions: number, arms: number, cage: CatalogCage}} CatalogShape
+ * @typedef {{name: string, genus: number, junctions: number, arms: number, cage: GeneratedCage}} CatalogShape
  */
 
-/** @typedef {Record<FunctionalName | 'area' | 'gaussian', number | null>} EntryEnergies null where a quantity diverges */
+/** Null where a quantity diverges. @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number | null> & {whole: boolean}} EntryEnergies */
 
-/** @typedef {Omit<LevelReport, 'energyReported' | 'seconds' | 'quadrature'> & {energy_reported: number | null, quadrature?: number}} EntryLevel */
+/** @typedef {Omit<LevelReport, 'energy_reported' | 'seconds'> & {energy_reported: number | null, seconds: null}} EntryLevel */
 
 /** `agrees`: null where one of the two has no error bar. @typedef {{family: string, energy: number | null, error: number | null, agrees: boolean | null, levels: EntryLevel[]}} SecondFamily */
 
@@ -38,14 +36,13 @@
  * @property {number | null} exact the infimum within the symmetry, where mathematics has it
  * @property {string} [exact_source]
  * @property {Group} group
- * @property {{cap: string, levels: [number, number], tolerance: number, max_iterations: number, symmetry: boolean}} settings
+ * @property {Required<Options>} settings
  * @property {EntryEnergies} energies of the last level's surface
- * @property {number | null} quadrature_error
  * @property {EntryLevel[]} levels
- * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null}} extrapolated
+ * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null}} limit
  * @property {CertificateReport | null} certificate
  * @property {SecondFamily | null} second_family the same from other cages
- * @property {string | null} minimizer the file of its surface, beside the catalog
+ * @property {string | null} minimizer the file of its run's report, beside the catalog
  * @property {number} level of that surface, in Catmull-Clark steps from the cage
  * @property {number} faces of its control mesh
  */
@@ -55,11 +52,6 @@
 /** @typedef {{version: string, functionals: CatalogFunctional[], shapes: CatalogShape[], entries: CatalogEntry[], starts: CatalogStart[]}} Catalog */
 
 /**
- * A surface: the control points of the first vertex of each orbit under `group`, x, y, z each, of the mesh `level` steps from the cage.
- * @typedef {{shape: string, functional: string, cage: CatalogCage, level: number, group: string, points: number[]}} CatalogSurface
- */
-
-/**
  * The address of a file of the catalog, for pages beside its folder.
  * @param {string} name "catalog.json", "two-3.bending.json", "pictures/two-3.bending.webp"
  */
@@ -67,15 +59,18 @@ export function catalogAddress(name) {
   return `./catalog/${name}`;
 }
 
-/** @param {string} name @returns {Promise<any>} */
+/** @param {string} name @returns {Promise<Response>} */
 async function load(name) {
   const response = await fetch(catalogAddress(name));
   if (!response.ok) throw new Error(`${name} was not loaded: ${response.status} ${response.statusText}`);
-  return response.json();
+  return response;
 }
 
 /** @returns {Promise<Catalog>} */
-export const loadCatalog = () => load('catalog.json');
+export const loadCatalog = async () => (await load('catalog.json')).json();
 
-/** @param {string} name an entry's `minimizer` @returns {Promise<CatalogSurface>} */
-export const loadSurface = (name) => load(name);
+/** A report knows null only in the place of a number that is not finite. @param {string} text @returns {Report} */
+export const parseReport = (text) => JSON.parse(text, (_, value) => (value === null ? NaN : value));
+
+/** @param {string} name an entry's `minimizer` @returns {Promise<Report>} */
+export const loadReport = async (name) => parseReport(await (await load(name)).text());

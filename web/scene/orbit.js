@@ -3,16 +3,17 @@
  * @file The camera in the viewer's hands: turned, moved and brought closer by mouse, fingers and keys, and told in the numbers of an
  * address when it has come to rest.
  */
-import { PerspectiveCamera, Vector3 } from 'three';
+import { PerspectiveCamera } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { FARTHEST, NEAREST, firstCamera, sameCamera } from '../address/camera.js';
 import { FIELD_OF_VIEW, cameraOf, fittingDistance, placementOf } from './placement.js';
 
 /** @import {Camera} from '../address/camera.js' */
-/** @import {Size} from './placement.js' */
 
 /** Milliseconds without a motion after which the camera rests. */
 const REST = 200;
+/** How far before and behind the surface's centre there is something to see, in its radii: cages are larger than their surfaces. */
+const SEEN = 8;
 
 /**
  * @param {HTMLElement} element where it is moved
@@ -20,17 +21,14 @@ const REST = 200;
  */
 export function createOrbit(element, { moved, rested }) {
   const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
+  camera.position.copy(placementOf(firstCamera, camera.aspect).position);
   const controls = new OrbitControls(camera, element);
   controls.dampingFactor = 0.12;
-  /** @type {Size | null} */
-  let size = null;
-  let wanted = firstCamera;
   let told = firstCamera;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
 
-  const now = () =>
-    size ? cameraOf({ position: camera.position, target: controls.target }, size, camera.aspect) : wanted;
+  const now = () => cameraOf({ position: camera.position, target: controls.target }, camera.aspect);
 
   controls.addEventListener('change', () => {
     moved();
@@ -41,19 +39,23 @@ export function createOrbit(element, { moved, rested }) {
     }, REST);
   });
 
-  /** @param {Camera} next */
-  function place(next) {
-    wanted = next;
-    if (!size) return;
-    const { position, target } = placementOf(next, size, camera.aspect);
-    const fit = fittingDistance(size.radius, camera.aspect);
+  function limitDistance() {
+    const fit = fittingDistance(camera.aspect);
     controls.minDistance = NEAREST * fit;
     controls.maxDistance = FARTHEST * fit;
+  }
+
+  /** @param {Camera} next */
+  function place(next) {
+    const { position, target } = placementOf(next, camera.aspect);
+    limitDistance();
     controls.target.copy(target);
     camera.position.copy(position);
     controls.update();
     moved();
   }
+
+  limitDistance();
 
   return {
     camera,
@@ -66,22 +68,8 @@ export function createOrbit(element, { moved, rested }) {
       place(next);
     },
 
-    /**
-     * Brings a surface of this size into the view, from where the camera is; the first one as the camera was set.
-     * @param {Size} next
-     */
-    fit(next) {
-      const direction = size ? { ...now(), distance: 1, target: firstCamera.target } : wanted;
-      size = next;
-      place(direction);
-    },
-
-    /** The surface has another size; where the camera is, measured by it, stays. @param {Size} next */
-    hold(next) {
-      const kept = now();
-      size = next;
-      place(kept);
-    },
+    /** Brings the whole surface into the view, from where the camera is. */
+    fit: () => place({ ...now(), distance: 1, target: firstCamera.target }),
 
     /** A picture of another shape; what fits it stays fitted. @param {number} aspect width / height */
     resize(aspect) {
@@ -93,10 +81,9 @@ export function createOrbit(element, { moved, rested }) {
 
     /** Before each picture: how near and how far there is something to see. */
     focus() {
-      const { centre, radius } = size ?? { centre: new Vector3(), radius: 1 };
-      const distance = camera.position.distanceTo(centre);
-      camera.near = Math.max(distance - 8 * radius, distance / 200);
-      camera.far = distance + 8 * radius;
+      const distance = camera.position.length();
+      camera.near = Math.max(distance - SEEN, distance / 200);
+      camera.far = distance + SEEN;
       camera.updateProjectionMatrix();
     },
 

@@ -3,18 +3,19 @@
  * @file Several surfaces side by side on one canvas, seen by one camera: to turn one is to turn all. Draws when something has changed and
  * at no other time.
  */
-import { BufferGeometry, Group, Mesh, Scene, Vector3 } from 'three';
+import { BufferGeometry, Mesh, Scene } from 'three';
 import { extent, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
 import { createSurfaceMaterial } from './material.js';
 import { createOrbit } from './orbit.js';
 import { createPainter } from './painter.js';
+import { createStand } from './stand.js';
 
 /** @import * as core from '../../wasm/types.js' */
 /** @import {Camera} from '../address/camera.js' */
 /** @import {Quantity} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
-/** @import {Size} from './placement.js' */
+/** @import {Extent} from './stand.js' */
 
 /** A surface, if it is there, and the element above whose place on the canvas it is drawn. @typedef {{mesh: core.Mesh | null, place: Element}} Pane */
 
@@ -31,11 +32,11 @@ export function createPanes(canvas, { calm, slow, rested }) {
   const { camera, controls } = orbit;
   addLights(scene, camera);
   const surfaceMaterial = createSurfaceMaterial();
-  const model = new Group();
-  model.rotation.x = -Math.PI / 2; // Generated shapes stand on the axis of their symmetry, z.
-  scene.add(model);
+  const stand = createStand();
+  stand.setUp('z'); // Generated shapes stand on the axis of their symmetry.
+  scene.add(stand.object);
 
-  /** @type {Array<Pane & {surface: Mesh | null}>} */
+  /** @type {Array<Pane & {surface: Mesh | null, extent: Extent | null}>} */
   let panes = [];
 
   /** Where a pane is on the canvas, in CSS pixels, from its bottom left corner. @param {Pane} pane */
@@ -59,7 +60,8 @@ export function createPanes(canvas, { calm, slow, rested }) {
       renderer.setScissorTest(true);
       orbit.focus();
       for (const pane of panes) {
-        if (!pane.surface) continue;
+        if (!pane.surface || !pane.extent) continue;
+        stand.centre({ centre: pane.extent.centre, radius: largest() });
         const { left, bottom, width, height } = boxOf(pane);
         renderer.setViewport(left, bottom, width, height);
         renderer.setScissor(left, bottom, width, height);
@@ -77,38 +79,35 @@ export function createPanes(canvas, { calm, slow, rested }) {
     if (width && height) orbit.resize(width / height);
   }
 
-  /** That of the largest, about the origin; null where there is none. @returns {Size | null} */
-  function size() {
-    const radii = panes.flatMap(({ mesh }) => (mesh ? [extent(mesh.positions).radius] : []));
-    return radii.length ? { centre: new Vector3(), radius: Math.max(...radii) } : null;
-  }
+  /** The radius of the largest surface: all are drawn on its scale. */
+  const largest = () => Math.max(...panes.map((pane) => pane.extent?.radius ?? 0));
 
   return {
     controls,
     /** Moves the camera so that the largest surface fills its view. */
-    fit() {
-      const whole = size();
-      if (whole) orbit.fit(whole);
-    },
+    fit: () => orbit.fit(),
 
     /** Where all are looked at from. @param {Camera} next */
     setCamera: (next) => orbit.set(next),
 
-    /** Centred surfaces, in their order; the camera stays where it is for their size. @param {Pane[]} next */
+    /** Surfaces in their order; the camera stays where it is for the size of the largest. @param {Pane[]} next */
     setPanes(next) {
       const before = panes;
       panes = next.map(({ mesh, place }) => {
         const kept = before.find((pane) => pane.mesh === mesh);
-        return { mesh, place, surface: kept?.surface ?? (mesh && createSurface(mesh)) };
+        return {
+          mesh,
+          place,
+          surface: kept?.surface ?? (mesh && createSurface(mesh)),
+          extent: kept?.extent ?? (mesh && extent(mesh.positions)),
+        };
       });
       for (const { surface } of before) {
         if (!surface || panes.some((pane) => pane.surface === surface)) continue;
-        model.remove(surface);
+        stand.model.remove(surface);
         surface.geometry.dispose();
       }
       measure();
-      const whole = size();
-      if (whole) orbit.hold(whole);
       painter.request();
     },
 
@@ -131,7 +130,7 @@ export function createPanes(canvas, { calm, slow, rested }) {
     const geometry = new BufferGeometry();
     setSurface(geometry, mesh);
     const surface = new Mesh(geometry, surfaceMaterial.material);
-    model.add(surface);
+    stand.model.add(surface);
     return surface;
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Where a perspective camera stands for the numbers of an address, and the numbers for where it stands.
+ * @file Where a perspective camera stands for the numbers of an address, and the numbers for where it stands, in a world whose y points
+ * up on the screen and where a surface of radius 1 stands about the origin.
  */
 import { MathUtils, Vector3 } from 'three';
 import { roundCamera } from '../address/camera.js';
@@ -15,30 +16,26 @@ const FIT_MARGIN = 1.16;
 /** Radians from the axis that a camera on it keeps, so that it does not lose its azimuth. */
 const OFF_AXIS = 1e-4;
 
-/** What is looked at: in the world, whose y points up on the screen. @typedef {{centre: Vector3, radius: number}} Size */
-
 /**
- * The distance from which a ball fits the picture.
- * @param {number} radius
+ * The distance from which the unit ball fits the picture.
  * @param {number} aspect width / height of the picture
  */
-export function fittingDistance(radius, aspect) {
+export function fittingDistance(aspect) {
   const halfHeight = MathUtils.degToRad(FIELD_OF_VIEW) / 2;
   const halfWidth = Math.atan(Math.tan(halfHeight) * aspect);
-  return (FIT_MARGIN * radius) / Math.sin(Math.min(halfHeight, halfWidth));
+  return FIT_MARGIN / Math.sin(Math.min(halfHeight, halfWidth));
 }
 
 /**
  * @param {Camera} camera
- * @param {Size} size
  * @param {number} aspect
  * @returns {{position: Vector3, target: Vector3}}
  */
-export function placementOf({ azimuth, elevation, distance, target }, { centre, radius }, aspect) {
-  const at = new Vector3(...target).multiplyScalar(radius).add(centre);
+export function placementOf({ azimuth, elevation, distance, target }, aspect) {
+  const at = new Vector3(...target);
   const polar = MathUtils.clamp(MathUtils.degToRad(90 - elevation), OFF_AXIS, Math.PI - OFF_AXIS);
   const position = new Vector3().setFromSphericalCoords(
-    distance * fittingDistance(radius, aspect),
+    distance * fittingDistance(aspect),
     polar,
     MathUtils.degToRad(azimuth),
   );
@@ -48,17 +45,15 @@ export function placementOf({ azimuth, elevation, distance, target }, { centre, 
 /**
  * The inverse of `placementOf`, rounded.
  * @param {{position: Vector3, target: Vector3}} placement
- * @param {Size} size
  * @param {number} aspect
  * @returns {Camera}
  */
-export function cameraOf({ position, target }, { centre, radius }, aspect) {
+export function cameraOf({ position, target }, aspect) {
   const from = position.clone().sub(target);
-  const [x, y, z] = target.clone().sub(centre).divideScalar(radius).toArray();
   return roundCamera({
     azimuth: MathUtils.radToDeg(Math.atan2(from.x, from.z)),
     elevation: MathUtils.radToDeg(Math.atan2(from.y, Math.hypot(from.x, from.z))),
-    distance: from.length() / fittingDistance(radius, aspect),
-    target: [x, y, z],
+    distance: from.length() / fittingDistance(aspect),
+    target: target.toArray(),
   });
 }

@@ -3,12 +3,13 @@
  * @file The three.js scene: surface, control cage, light and camera. Draws when something has changed and at no other
  * time.
  */
-import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, Scene, Vector3 } from 'three';
+import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, Scene } from 'three';
 import { extent, setEdges, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
 import { createSurfaceMaterial } from './material.js';
 import { createOrbit } from './orbit.js';
 import { createPainter } from './painter.js';
+import { createStand } from './stand.js';
 
 /** @import * as core from '../../wasm/types.js' */
 /** @import {Camera} from '../address/camera.js' */
@@ -53,9 +54,9 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
   surface.frustumCulled = false;
   const cageGeometry = new BufferGeometry();
   const cage = createCageLines(cageGeometry);
-  const model = new Group();
-  model.add(surface, cage.group);
-  scene.add(model);
+  const stand = createStand();
+  stand.model.add(surface, cage.group);
+  scene.add(stand.object);
 
   const painter = createPainter(canvas, {
     slow,
@@ -76,24 +77,10 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     },
   });
 
+  /** Where the surface's positions are measured from. @type {Float64Array} */
+  let origin = new Float64Array(3);
+
   rehearse();
-
-  /** Where the surface was and how large, in the world, when it was fitted. */
-  let size = { centre: new Vector3(), radius: 1 };
-
-  /**
-   * Energies depend on neither size nor place, so both drift while they are minimized; the picture keeps them.
-   * @param {Float32Array} positions
-   */
-  function hold(positions) {
-    const { centre, radius } = extent(positions);
-    const scale = size.radius / radius;
-    model.scale.setScalar(Number.isFinite(scale) && scale > 0 ? scale : 1);
-    model.position.set(0, 0, 0);
-    model.updateMatrixWorld();
-    model.position.copy(size.centre).sub(model.localToWorld(new Vector3(...centre)));
-    model.updateMatrixWorld();
-  }
 
   function requestRender() {
     if (surface.visible) painter.request();
@@ -104,7 +91,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     const sizes = { positions: 9, normals: 9, curvatures: 6 };
     const arrays = Object.entries(sizes).map(([name, size]) => [name, new Float32Array(size)]);
     const [triangles, edges] = [new Uint32Array(3), new Uint32Array(0)];
-    setSurface(surfaceGeometry, { ...Object.fromEntries(arrays), triangles, edges });
+    setSurface(surfaceGeometry, { ...Object.fromEntries(arrays), centre: origin, triangles, edges });
     surface.visible = true;
     painter.rehearse();
     surface.visible = false;
@@ -122,22 +109,24 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
      * @param {'y' | 'z'} axis
      */
     setUp(axis) {
-      model.rotation.x = axis === 'z' ? -Math.PI / 2 : 0;
-      model.updateMatrixWorld();
+      stand.setUp(axis);
       requestRender();
     },
 
     /** @param {core.Mesh} mesh */
     setSurface(mesh) {
       setSurface(surfaceGeometry, mesh);
-      hold(mesh.positions);
+      stand.centre(extent(mesh.positions));
+      origin = mesh.centre;
       surface.visible = true;
       requestRender();
     },
 
-    /** @param {core.Mesh} mesh */
+    /** That of the surface which was set last. @param {core.Mesh} mesh */
     setCage(mesh) {
       setEdges(cageGeometry, mesh);
+      const [x, y, z] = mesh.centre.map((value, axis) => value - origin[axis]);
+      cage.group.position.set(x, y, z);
       requestRender();
     },
 
@@ -159,18 +148,8 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       requestRender();
     },
 
-    /**
-     * Moves the camera so that the surface fills the view; keeps its direction.
-     * @param {Float32Array} positions
-     */
-    fit(positions) {
-      const { centre, radius } = extent(positions);
-      model.scale.setScalar(1);
-      model.position.set(0, 0, 0);
-      model.updateMatrixWorld();
-      size = { centre: model.localToWorld(new Vector3(...centre)), radius: radius || 1 };
-      orbit.fit(size);
-    },
+    /** Moves the camera so that the surface fills the view; keeps its direction. */
+    fit: () => orbit.fit(),
 
     dispose() {
       painter.dispose();

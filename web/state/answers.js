@@ -5,8 +5,9 @@
  */
 import { SAMPLE_SIZE } from '../worker/protocol.js';
 import { whole } from '../words/numbers.js';
-import { afterEntryOpened, openWithout, showsEntry } from './entry.js';
+import { afterEntryOpened, endedWith, openWithout, showsEntry } from './entry.js';
 import { beginOpening, firstGenerator, openGenerated } from './opening.js';
+import { settingsFrom, sourceOf } from './settings.js';
 
 /** @import {Loss} from '../worker/client.js' */
 /** @import {Message, Opened} from '../worker/protocol.js' */
@@ -58,45 +59,32 @@ function afterRunMessage(state, message) {
       return {
         ...state,
         progress: message.progress,
-        samples: state.samples.concat(unpack(message.samples, state.levelOffset)),
+        samples: state.samples.concat(unpack(message.samples)),
       };
     case 'levelEnded':
-      return { ...state, levels: [...state.levels, fromCage(message.report, state)], limit: message.limit };
+      return { ...state, levels: [...state.levels, message.report], limit: message.limit };
     case 'paused':
       return { ...state, status: 'paused', asked: null, progress: message.progress };
     case 'ended':
       return { ...state, status: 'ended', asked: null, stop: message.stop, progress: message.progress };
-    case 'saved': {
-      const { obj, level, evaluations } = message;
-      return { ...state, saved: { obj, level: level + state.levelOffset, evaluations } };
-    }
+    case 'saved':
+      return { ...state, saved: { state: message.state, evaluations: message.evaluations } };
     case 'exported':
       return { ...state, exporting: false };
     case 'certificateAdvanced':
       return state.certifying ? { ...state, certifying: { ...state.certifying, progress: message.progress } } : state;
     case 'certified':
-      return { ...state, certifying: null, certificate: fromCage(message.report, state) };
+      return { ...state, certifying: null, certificate: message.report };
     case 'certificateAbandoned':
       return { ...state, certifying: null };
   }
 }
 
-/**
- * What the worker says of a level, counted from the cage.
- * @template {{level: number}} T
- * @param {T} report
- * @param {State} state
- * @returns {T}
- */
-function fromCage(report, { levelOffset }) {
-  return { ...report, level: report.level + levelOffset };
-}
-
-/** @param {Float64Array} packed @param {number} levelOffset @returns {Sample[]} */
-function unpack(packed, levelOffset) {
+/** @param {Float64Array} packed @returns {Sample[]} */
+function unpack(packed) {
   return Array.from({ length: packed.length / SAMPLE_SIZE }, (_, i) => {
     const [evaluation, energy, gradientNorm, level] = packed.subarray(i * SAMPLE_SIZE, (i + 1) * SAMPLE_SIZE);
-    return { evaluation, energy, gradientNorm, level: level + levelOffset };
+    return { evaluation, energy, gradientNorm, level };
   });
 }
 
@@ -107,13 +95,12 @@ function unpack(packed, levelOffset) {
  * @returns {State}
  */
 function afterOpened(state, opening, message) {
-  const { run, source, settings, purpose, then, levelOffset } = opening;
+  const { run, source, settings, purpose, then } = opening;
   /** @type {State} */
   const opened = {
     ...state,
     run,
     opening: null,
-    levelOffset,
     asked: null,
     runSettings: settings,
     group: message.group,
@@ -125,14 +112,9 @@ function afterOpened(state, opening, message) {
     const minimizer = state.minimizer && showsEntry(state) ? { ...state.minimizer, run } : state.minimizer;
     return { ...opened, status: state.stop ? 'ended' : 'resting', minimizer };
   }
-  if (opening.entry && source.kind === 'minimizer') {
-    const { name, family, thickness } = source;
-    const cage = {
-      source: { kind: /** @type {const} */ ('generated'), name, family, thickness },
-      name,
-      counts: message.counts,
-    };
-    return afterEntryOpened({ ...opened, cage, alert: null }, opening.entry);
+  if (opening.entry && opening.report && source.kind === 'generated') {
+    const cage = { source, name: source.name, counts: message.cage };
+    return afterEntryOpened({ ...opened, cage, alert: null }, opening.entry, opening.report);
   }
   /** @type {State} */
   const fresh = {
@@ -147,10 +129,10 @@ function afterOpened(state, opening, message) {
     certificate: null,
   };
   if (purpose !== 'cage') return fresh;
-  return {
+  /** @type {State} */
+  const shown = {
     ...fresh,
     settings: { ...state.settings, origin: 'cage' },
-    cage: { source, name: source.name, counts: message.counts },
     minimizer: null,
     saved: null,
     latest: null,
@@ -158,6 +140,34 @@ function afterOpened(state, opening, message) {
     // What was wrong with the address is still to be read.
     alert: state.cage ? null : state.alert,
   };
+  if (source.kind === 'problem') return afterFileOpened(shown, source.name, message);
+  return { ...shown, cage: { source, name: source.name, counts: message.cage } };
+}
+
+/**
+ * The file of a problem, which brings its settings; or of a report, which is the end of its run.
+ * @param {State} shown
+ * @param {string} fileName
+ * @param {Opened} message
+ * @returns {State}
+ */
+function afterFileOpened(shown, fileName, { cage: counts, asked, report }) {
+  if (!asked) return shown;
+  const source = sourceOf(asked.cage, fileName);
+  const settings = settingsFrom(shown.settings, asked);
+  /** @type {State} */
+  const opened = { ...shown, cage: { source, name: source.name, counts }, settings, runSettings: settings };
+  if (source.kind === 'generated') {
+    opened.generator = { name: source.name, family: source.family, thickness: source.thickness };
+  }
+  if (!report) return opened;
+  return { ...endedWith(opened, report), settings: { ...settings, origin: 'surface' } };
+}
+
+/** The core begins with the name of the file as well. @param {string} name @param {string} message */
+function notOpened(name, message) {
+  const title = `${name} was not opened`;
+  return { title, message: message.startsWith(`${name}: `) ? message.slice(name.length + 2) : message };
 }
 
 /** @param {State} state @param {number} run @param {string} message @returns {State} */
@@ -173,7 +183,7 @@ function afterFailed(state, run, message) {
   if (opening.purpose === 'entry') return openWithout(closed, message);
   if (opening.purpose === 'cage') {
     /** @type {State} */
-    const told = { ...closed, alert: { title: `${opening.source.name} was not opened`, message } };
+    const told = { ...closed, alert: notOpened(opening.source.name, message) };
     // An address may name a shape that there is not; there is always one to begin with.
     const nothing = !state.cage && opening.source.name !== firstGenerator.name;
     return nothing ? openGenerated({ ...told, status: state.status, generator: firstGenerator }) : told;
@@ -206,10 +216,9 @@ export function afterLoss(state, loss, detail) {
   const started = state.samples.length > 0 || state.status === 'running' || showsEntry(state);
   const stopped = state.certifying ? afterCertificate(state, idle, detail) : afterRun(state, idle, title, detail);
   if (!state.cage || state.opening?.purpose === 'recovery') return stopped;
-  const { name } = state.cage;
   const saved = started ? state.saved : null;
-  const source = saved ? /** @type {const} */ ({ kind: 'text', name, text: saved.obj }) : state.cage.source;
-  return beginOpening(stopped, { source, purpose: 'recovery', then: 'hold', levelOffset: saved?.level ?? 0 });
+  const { source } = state.cage;
+  return beginOpening(stopped, { source, purpose: 'recovery', then: 'hold', start: saved?.state ?? null });
 }
 
 /**

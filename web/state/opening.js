@@ -3,8 +3,7 @@
  * @file How a cage or a surface begins to be opened: under a new run number, with the settings of now.
  */
 
-/** @import {Generator} from '../worker/protocol.js' */
-/** @import {Opening, State} from './types.js' */
+/** @import {Generator, Opening, State} from './types.js' */
 
 /** What the studio opens when nobody says what. @type {Generator} */
 export const firstGenerator = { name: 'two-3', family: 'flag', thickness: 1 };
@@ -23,5 +22,5 @@ export function beginOpening(state, opening) {
 /** The generator's cage. @param {State} state @returns {State} */
 export function openGenerated(state) {
   const source = /** @type {const} */ ({ kind: 'generated', ...state.generator });
-  return beginOpening(state, { source, purpose: 'cage', then: 'hold', levelOffset: 0 });
+  return beginOpening(state, { source, purpose: 'cage', then: 'hold', start: null });
 }

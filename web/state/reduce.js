@@ -38,7 +38,6 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
     run: 0,
     runSettings: settings,
     group: null,
-    levelOffset: 0,
     asked: null,
     progress: null,
     stop: null,
@@ -61,12 +60,15 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
   return wanted ? blank : openGenerated(blank);
 }
 
+/** Whether a file is a problem or a report, which begin with a brace. @param {Uint8Array} text */
+const isJson = (text) => /^[ \t\r\n]*\{/.test(new TextDecoder('latin1').decode(text.subarray(0, 1000)));
+
 /** The cage as it was opened, with the settings of now. @param {State} state @returns {State} */
 function openPreview(state) {
   const pending = state.opening?.purpose === 'cage' ? state.opening : null;
   const source = pending?.source ?? state.cage?.source;
   if (!source || problemWith(state.settings)) return state;
-  return beginOpening(state, { source, purpose: pending?.purpose ?? 'preview', then: 'hold', levelOffset: 0 });
+  return beginOpening(state, { source, purpose: pending?.purpose ?? 'preview', then: 'hold', start: null });
 }
 
 /** Whether settings may be changed: not under a run that uses them. @param {State} state */
@@ -99,10 +101,10 @@ function go(state, then) {
     return { ...state, status: 'running', asked: null, stop: null };
   if (state.status !== 'ended') return state;
   if (state.saved && startsFromSurface(state)) {
-    const source = /** @type {const} */ ({ kind: 'text', name: state.cage.name, text: state.saved.obj });
-    return beginOpening(state, { source, purpose: 'start', then, levelOffset: state.saved.level });
+    const { source } = state.cage;
+    return beginOpening(state, { source, purpose: 'start', then, start: state.saved.state });
   }
-  return beginOpening(state, { source: state.cage.source, purpose: 'start', then, levelOffset: 0 });
+  return beginOpening(state, { source: state.cage.source, purpose: 'start', then, start: null });
 }
 
 /** From the cage, with the settings that led to the catalog's minimizer. @param {State} state @returns {State} */
@@ -110,7 +112,7 @@ function again(state) {
   const { minimizer, cage } = state;
   if (!minimizer || !cage || !settingsAreFree(state) || state.opening) return state;
   const asked = { ...state, settings: minimizer.settings };
-  return beginOpening(asked, { source: cage.source, purpose: 'start', then: 'run', levelOffset: 0 });
+  return beginOpening(asked, { source: cage.source, purpose: 'start', then: 'run', start: null });
 }
 
 /**
@@ -123,8 +125,11 @@ export function reduce(state, action) {
     case 'generatorChanged':
       return openGenerated({ ...state, generator: { ...state.generator, ...action.change } });
     case 'fileChosen': {
-      const source = /** @type {const} */ ({ kind: 'text', name: action.name, text: action.text });
-      return beginOpening(state, { source, purpose: 'cage', then: 'hold', levelOffset: 0 });
+      const { name, text } = action;
+      const source = isJson(text)
+        ? { kind: /** @type {const} */ ('problem'), name, text }
+        : { kind: /** @type {const} */ ('text'), name, text };
+      return beginOpening(state, { source, purpose: 'cage', then: 'hold', start: null });
     }
     case 'fileRefused':
       return { ...state, alert: { title: `${action.name} was not opened`, message: action.message } };
@@ -168,7 +173,7 @@ export function reduce(state, action) {
     case 'surfaceDrawn':
       return { ...state, coarse: false };
     case 'downloadPressed':
-      return action.what === 'limit' ? { ...state, exporting: true } : state;
+      return { ...state, exporting: true };
     case 'alertDismissed':
       return { ...state, alert: null };
     case 'answered':

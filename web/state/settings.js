@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the user asks for: defaults, what is wrong with it, and the minimizer's options that it amounts to.
+ * @file What the user asks for: defaults, what is wrong with it, and the problem that it amounts to.
  */
 
-/** @import {FunctionalName, MinimizerOptions} from '../../wasm/types.js' */
-/** @import {Settings} from './types.js' */
+/** @import {CageInput, FunctionalName, Problem, SurfaceState} from '../../wasm/types.js' */
+/** @import {Settings, Source} from './types.js' */
 
 /** Most levels that the page offers; each is four times the patches of the one before. */
 export const MAX_LEVEL = 6;
@@ -17,7 +17,7 @@ export const defaultSettings = {
   symmetry: true,
   levels: [0, 2],
   tolerance: 1e-6,
-  maxIterations: 1000,
+  max_iterations: 1000,
   origin: 'cage',
 };
 
@@ -55,25 +55,70 @@ export function problemWith(settings) {
   if (!weights.length) return 'Give at least one functional a weight.';
   if (!(settings.tolerance >= 0 && Number.isFinite(settings.tolerance)))
     return 'The tolerance is a number of at least 0.';
-  if (!(Number.isInteger(settings.maxIterations) && settings.maxIterations >= 0)) {
+  if (!(Number.isInteger(settings.max_iterations) && settings.max_iterations >= 0)) {
     return 'The iteration limit is a whole number of at least 0.';
   }
   return null;
 }
 
 /**
+ * The problem that a run answers. Levels before that of `start` are behind it.
+ * @param {Source} source
  * @param {Settings} settings
- * @param {number} levelOffset level, counted from the cage, of the mesh that the run starts from
- * @returns {MinimizerOptions}
+ * @param {SurfaceState | null} start
+ * @returns {Problem | string} a file's own text where that is a problem
  */
-export function optionsOf(settings, levelOffset) {
-  const [first, last] = settings.levels.map((level) => Math.max(0, level - levelOffset));
+export function problemOf(source, settings, start) {
+  if (source.kind === 'problem') return new TextDecoder().decode(source.text);
+  const { cap, symmetry, levels, tolerance, max_iterations } = settings;
   return {
-    weights: activeWeights(settings),
-    cap: settings.cap,
-    symmetry: settings.symmetry,
-    levels: [first, last],
-    tolerance: settings.tolerance,
-    maxIterations: settings.maxIterations,
+    cage: cageOf(source),
+    terms: activeWeights(settings),
+    options: { cap, symmetry, levels, tolerance, max_iterations },
+    ...(start && { start }),
   };
+}
+
+/** Those that there are. @template {object} T @param {T} parameters @returns {Partial<T>} */
+const given = (parameters) =>
+  /** @type {Partial<T>} */ (Object.fromEntries(Object.entries(parameters).filter(([, value]) => value !== undefined)));
+
+/** @param {Exclude<Source, {kind: 'problem'}>} source @returns {CageInput} */
+function cageOf(source) {
+  if (source.kind === 'text') return { name: source.name, text: source.text };
+  const { name, family, thickness, spread, ratio, segments } = source;
+  return { generator: name, ...given({ family, thickness, spread, ratio, segments }) };
+}
+
+/**
+ * Where a problem's cage comes from; `name` is what the file is called that it stands in.
+ * @param {CageInput} cage
+ * @param {string} name
+ * @returns {Exclude<Source, {kind: 'problem'}>}
+ */
+export function sourceOf(cage, name) {
+  if ('text' in cage) return { kind: 'text', name: cage.name || name, text: cage.text };
+  const { generator, family = 'flag', thickness = 1, ...parameters } = cage;
+  return { kind: 'generated', name: generator, family, thickness, ...parameters };
+}
+
+/**
+ * The settings with which the page asks a problem.
+ * @param {Settings} settings
+ * @param {Pick<Problem, 'terms' | 'options'>} problem
+ * @returns {Settings}
+ */
+export function settingsFrom(settings, { terms, options }) {
+  const names = /** @type {FunctionalName[]} */ (Object.keys(terms));
+  const none = Object.fromEntries(Object.keys(settings.weights).map((name) => [name, 0]));
+  const weights = /** @type {Settings['weights']} */ ({ ...none, ...terms });
+  const single = names.length === 1 && terms[names[0]] === 1;
+  const asked = {
+    ...settings,
+    ...(single ? { functional: names[0] } : { functional: /** @type {const} */ ('blend'), weights }),
+  };
+  for (const name of /** @type {const} */ (['cap', 'symmetry', 'levels', 'tolerance', 'max_iterations'])) {
+    if (options && name in options) Object.assign(asked, { [name]: options[name] });
+  }
+  return { ...asked, origin: 'cage' };
 }

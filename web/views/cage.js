@@ -26,7 +26,7 @@ function facts({ source, name, counts }) {
     ['Edges', whole(counts.edges)],
     ['Faces', whole(counts.faces)],
     ['Genus', whole(counts.genus)],
-    ['Components', whole(counts.components)],
+    ['Components', whole(counts.components.length)],
   ];
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The alert over the surface and the downloads.
+ * @file The alert below the surface, and the downloads.
  */
 import { element, find, onPress, setEnabled, whenChanged } from './dom.js';
 
@@ -43,10 +43,10 @@ export function createDownloadsView(root, dispatch) {
     /** @param {State} state */
     update(state) {
       const [control, limit, report] = buttons;
-      setEnabled(control, state.saved !== null);
       const busy = state.exporting || state.opening || state.certifying || state.status === 'unavailable';
       setEnabled(limit, state.surface !== null && !busy);
-      setEnabled(report, state.latest !== null);
+      setEnabled(control, state.saved !== null && !busy);
+      setEnabled(report, state.latest !== null && !busy);
     },
     dispose: () => listening.abort(),
   };

@@ -82,7 +82,7 @@ export function createObjectiveView(root, dispatch) {
     onChange(select, () => change({ levels: [Number(first.value), Number(last.value)] }));
   }
   onChange(tolerance, () => change({ tolerance: Number(tolerance.value.replace(',', '.') || NaN) }));
-  onChange(maxIterations, () => change({ maxIterations: maxIterations.valueAsNumber }));
+  onChange(maxIterations, () => change({ max_iterations: maxIterations.valueAsNumber }));
   const originInputs = /** @type {HTMLInputElement[]} */ ([...origin.querySelectorAll('input')]);
   for (const input of originInputs) {
     onChange(input, () => change({ origin: input.value === 'surface' ? 'surface' : 'cage' }));
@@ -100,7 +100,7 @@ export function createObjectiveView(root, dispatch) {
     symmetry.checked = settings.symmetry;
     [first.value, last.value] = settings.levels.map(String);
     if (Number.isFinite(settings.tolerance)) tolerance.value = plainNumber(settings.tolerance);
-    if (Number.isFinite(settings.maxIterations)) maxIterations.value = String(settings.maxIterations);
+    if (Number.isFinite(settings.max_iterations)) maxIterations.value = String(settings.max_iterations);
     for (const input of originInputs) input.checked = input.value === settings.origin;
     setText(problem, problemWith(settings) ?? '');
   });

@@ -10,10 +10,10 @@ import { find, onPress, setEnabled, setText } from './dom.js';
 /** @import {Action, State} from '../state/types.js' */
 
 /** @param {State} state */
-function progressLine({ samples, progress, levelOffset, status }) {
+function progressLine({ samples, progress, status }) {
   const sample = samples.at(-1);
   if (!progress || !sample) return status === 'running' ? 'Preparing the level …' : '';
-  if (status === 'running' && progress.phase === 'prepare') return `Preparing level ${progress.level + levelOffset} …`;
+  if (status === 'running' && progress.phase === 'prepare') return `Preparing level ${progress.level} …`;
   return [
     `energy ${significant(sample.energy, 6)}`,
     `level ${sample.level}`,

@@ -63,7 +63,9 @@ export function createSurfaceView(root, dispatch) {
   const recolour = whenChanged((/** @type {boolean} */ dark) =>
     scene?.setLineColour(getComputedStyle(root).getPropertyValue('color')),
   );
-  let fits = 0;
+  let shown = false;
+  // The first surface is seen from where the address says.
+  const fit = whenChanged((/** @type {number} */ fits) => shown && scene?.fit());
 
   return {
     /**
@@ -80,10 +82,8 @@ export function createSurfaceView(root, dispatch) {
       awaitPicture(state.surface, state.coarse);
       setCage(state.surface, state.view.cage);
       shade(quantityOf(state.view.shading), range);
-      if (state.fits !== fits) {
-        scene?.fit(state.surface.limit.positions);
-        fits = state.fits;
-      }
+      fit(state.fits);
+      shown = true;
     },
     dispose() {
       listening.abort();

@@ -58,7 +58,7 @@ function energyRows(settings, now, start) {
   const blend = settings.functional === 'blend';
   const rows = functionals.map(({ id, name, formula }) => {
     const objective = settings.functional === id;
-    const error = objective ? now.quadratureError : null;
+    const error = objective ? now.quadrature_error : null;
     return energyRow(name, formula, cell(now[id], error), start ? cell(start[id], null) : [], objective);
   });
   if (blend) {
@@ -67,7 +67,7 @@ function energyRows(settings, now, start) {
       energyRow(
         'Blend',
         objectiveName(settings),
-        cell(value ?? NaN, now.quadratureError),
+        cell(value ?? NaN, now.quadrature_error),
         first === null ? [] : cell(first, null),
         true,
       ),
@@ -125,10 +125,10 @@ export function createEnergiesView(root) {
 }
 
 /** To the digits that the quadrature justifies, as far as the column is wide. @param {LevelReport} report */
-function levelEnergy({ energy, energyReported }) {
-  if (Number.isNaN(energyReported)) return 'diverges';
-  const { value } = withError(energyReported, Math.abs(energyReported - energy));
-  return value.length > LEVEL_DIGITS + 1 ? significant(energyReported, LEVEL_DIGITS) : value;
+function levelEnergy({ energy, energy_reported }) {
+  if (Number.isNaN(energy_reported)) return 'diverges';
+  const { value } = withError(energy_reported, Math.abs(energy_reported - energy));
+  return value.length > LEVEL_DIGITS + 1 ? significant(energy_reported, LEVEL_DIGITS) : value;
 }
 
 /** @param {LevelReport} report */

@@ -123,7 +123,7 @@ export function besideWords({ status, paper, exact }) {
  */
 export function commands({ name, cage }, { weights }, { settings }) {
   const family = cageWords(cage.generator).frame ? ` --family ${cage.family}` : '';
-  const thickness = cage.thickness === 1 ? '' : ` --thickness ${cage.thickness}`;
+  const thickness = (cage.thickness ?? 1) === 1 ? '' : ` --thickness ${cage.thickness}`;
   const sum = Object.entries(weights).map(([id, weight]) => `${id}=${weight}`);
   const objective = sum.length > 1 ? `--weights ${sum.join(',')}` : `--functional ${Object.keys(weights)[0]}`;
   const tolerance = settings.tolerance === 1e-6 ? '' : ` --tolerance ${settings.tolerance}`;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The certificate that the worker is making, one step at a time between the messages. Outlived by the run that it
- * is about, or dropped with it.
+ * @file The certificate that the worker is making, one step at a time between the messages. Kept, for the report, until the
+ * surface that it is about moves or goes.
  */
 
 /** @import {Certificate, Minimizer} from '../../wasm/umbilic.js' */
@@ -15,10 +15,12 @@
 export function createCertification({ post, yieldThen }) {
   /** @type {Certificate | null} */
   let certificate = null;
+  let ready = false;
 
   function drop() {
     certificate?.dispose();
     certificate = null;
+    ready = false;
   }
 
   /** @param {number} run @param {Certificate} mine */
@@ -27,8 +29,8 @@ export function createCertification({ post, yieldThen }) {
     const done = mine.step(1);
     post({ type: 'certificateAdvanced', run, progress: mine.progress });
     if (!done) return yieldThen(() => advance(run, mine));
+    ready = true;
     post({ type: 'certified', run, report: mine.report });
-    drop();
   }
 
   return {
@@ -42,10 +44,13 @@ export function createCertification({ post, yieldThen }) {
 
     /** At the page's wish; one that is ready already has been told. @param {number} run */
     abandon(run) {
-      if (!certificate) return;
+      if (!certificate || ready) return;
       drop();
       post({ type: 'certificateAbandoned', run });
     },
+
+    /** Of the surface that rests. */
+    ready: () => (ready ? certificate : null),
 
     drop,
   };

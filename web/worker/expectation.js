@@ -3,58 +3,40 @@
  * @file The run that the user may well ask for next, made and prepared while the one on the screen rests, so that its
  * surface moves at once.
  */
-import { cageFrom } from './sources.js';
 
-/** @import {Cage, Minimizer} from '../../wasm/umbilic.js' */
-/** @import {CageCounts, MinimizerOptions} from '../../wasm/types.js' */
-/** @import {Generated, Source} from './protocol.js' */
-
-/** @typedef {{minimizer: Minimizer, counts: CageCounts}} Opened */
+/** @import {Minimizer} from '../../wasm/umbilic.js' */
+/** @import {Problem} from '../../wasm/types.js' */
 
 /**
  * @param {object} surroundings
- * @param {{Cage: typeof Cage, Minimizer: typeof Minimizer, InputError: new (message: string) => Error}} surroundings.core
+ * @param {{Minimizer: typeof Minimizer, InputError: new (message: string) => Error}} surroundings.core
  * @param {(task: () => void) => void} surroundings.yieldThen runs the task after the messages that have arrived
  */
 export function createExpectation({ core, yieldThen }) {
-  /** @type {{key: string, opened: Opened} | null} */
+  /** @type {{key: string, minimizer: Minimizer} | null} */
   let expected = null;
 
-  /** @param {Source} source @param {MinimizerOptions} options @returns {Opened} */
-  function make(source, options) {
-    const { cage, counts } = cageFrom(core.Cage, source);
-    try {
-      return { minimizer: new core.Minimizer(cage, options), counts };
-    } finally {
-      cage.dispose();
-    }
-  }
-
-  /** One part of what the first step takes, at last the energies of the start. @param {Opened} mine */
+  /** One part of what the first step takes, at last the energies of the start. @param {Minimizer} mine */
   function advance(mine) {
-    if (expected?.opened !== mine) return;
-    const { minimizer } = mine;
-    if (minimizer.progress.phase !== 'prepare') return void minimizer.energies;
-    minimizer.step(1);
+    if (expected?.minimizer !== mine) return;
+    if (mine.progress.phase !== 'prepare') return void mine.energies;
+    mine.step(1);
     yieldThen(() => advance(mine));
   }
 
   function drop() {
-    expected?.opened.minimizer.dispose();
+    expected?.minimizer.dispose();
     expected = null;
   }
 
-  /** @param {Source} source @param {MinimizerOptions} options */
-  const keyOf = (source, options) => JSON.stringify({ source, options });
-
   return {
-    /** What cannot be opened is not expected. @param {Generated} source @param {MinimizerOptions} options */
-    begin(source, options) {
+    /** What cannot be opened is not expected. @param {Problem} problem of a generated cage */
+    begin(problem) {
       drop();
       try {
-        const opened = make(source, options);
-        expected = { key: keyOf(source, options), opened };
-        yieldThen(() => advance(opened));
+        const minimizer = new core.Minimizer(problem);
+        expected = { key: JSON.stringify(problem), minimizer };
+        yieldThen(() => advance(minimizer));
       } catch (error) {
         if (!(error instanceof core.InputError)) throw error;
       }
@@ -62,17 +44,18 @@ export function createExpectation({ core, yieldThen }) {
 
     /**
      * The run that was expected, as far as it is prepared, or a new one.
-     * @param {Source} source @param {MinimizerOptions} options @returns {Opened} @throws {import('../../wasm/umbilic.js').InputError}
+     * @param {Problem | string} problem @returns {Minimizer} @throws {import('../../wasm/umbilic.js').InputError}
      */
-    take(source, options) {
-      if (expected && source.kind === 'generated' && expected.key === keyOf(source, options)) {
-        const { opened } = expected;
+    take(problem) {
+      const generated = typeof problem !== 'string' && 'generator' in problem.cage && !problem.start;
+      if (expected && generated && expected.key === JSON.stringify(problem)) {
+        const { minimizer } = expected;
         expected = null;
-        return opened;
+        return minimizer;
       }
-      const opened = make(source, options);
+      const minimizer = new core.Minimizer(problem);
       drop();
-      return opened;
+      return minimizer;
     },
   };
 }

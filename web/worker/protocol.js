@@ -5,29 +5,21 @@
  * until the new one has opened.
  */
 
-/** @import {CageCounts, CertificateReport, Energies, Group, LevelReport, Limit} from '../../wasm/types.js' */
-/** @import {Mesh, MinimizerOptions, Progress, StopReason} from '../../wasm/types.js' */
+/** @import {CageReport, CertificateReport, Energies, Group, LevelReport, Limit} from '../../wasm/types.js' */
+/** @import {Mesh, Problem, Progress, Report, StopReason} from '../../wasm/types.js' */
 
 /**
- * Where a cage comes from: the text of an OBJ or OFF file; a generator's name and parameters; or such a cage refined `level`
- * times, with the control points of the first vertex of each of its symmetry's orbits.
- * @typedef {{name: string, family: 'hub' | 'flag', thickness: number}} Generator
- * @typedef {{kind: 'generated'} & Generator} Generated
- * @typedef {{kind: 'text', name: string, text: string | Uint8Array} | Generated | ({kind: 'minimizer', level: number, points:
- *   Float64Array} & Generator)} Source
- */
-
-/**
- * Reads or makes the cage and shows its surface. Answers `opened`, `surfaced`, `saved`, `measured`, or `failed`; for a minimizer, which
- * has many faces, `opened` and a coarse `surfaced` alone, so that nothing else takes the machine's time before it is on the screen.
- * With `then`, as if `optimize` or `step` followed: the surface at rest is not shown first.
- * @typedef {{type: 'open', run: number, source: Source, options: MinimizerOptions, then?: 'run' | 'step'}} Open
+ * Begins the run that a problem asks for, or the text of a problem's or a report's file, and shows its surface. Answers
+ * `opened`, `surfaced`, `saved`, `measured`, or `failed`. With `look`, for a minimizer, which has many faces and is but
+ * looked at: `opened` and a coarse `surfaced` alone, so that nothing else takes the machine's time before it is on the
+ * screen. With `then`, as if `optimize` or `step` followed: the surface at rest is not shown first.
+ * @typedef {{type: 'open', run: number, problem: Problem | string, look?: boolean, then?: 'run' | 'step'}} Open
  *
  * The coarse surface is on the screen. Answers what `open` has left out.
  * @typedef {{type: 'detail', run: number}} Detail
  *
  * What the user may open next: while the surface rests the worker prepares it, if it can be opened. No answer.
- * @typedef {{type: 'expect', run: number, source: Generated, options: MinimizerOptions}} Expect
+ * @typedef {{type: 'expect', run: number, problem: Problem}} Expect
  *
  * Minimizes until told otherwise. Answers `stepped`, `surfaced`, `saved`, `levelEnded`, at last `ended`. The first surface
  * that has moved comes before everything that takes longer than a step.
@@ -38,8 +30,8 @@
  * @typedef {{type: 'pause', run: number}} Pause
  * @typedef {{type: 'cancel', run: number}} Cancel
  *
- * Answers `exported` with the limit mesh as OBJ.
- * @typedef {{type: 'export', run: number}} Export
+ * Answers `exported` with the control mesh or the limit mesh as OBJ, or with the report.
+ * @typedef {{type: 'export', run: number, what: Exportable}} Export
  *
  * Whether the surface of a run that rests is a minimum among all surfaces near it. Answers `certificateAdvanced`, at
  * last `certified`, or `failed`; another run drops it.
@@ -53,12 +45,16 @@
  * @typedef {Open | Detail | Expect | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Ping} Command
  */
 
+/** @typedef {'control' | 'limit' | 'report'} Exportable */
+
 /**
  * The worker has loaded the core.
  * @typedef {{type: 'started', version: string, cages: string[]}} Started
  *
- * `group` is the symmetry that the run keeps.
- * @typedef {{type: 'opened', run: number, counts: CageCounts, group: Group}} Opened
+ * `group` is the symmetry that the run keeps. Of a file: `asked` is its problem, complete but for where it starts, and
+ * `report` what came out.
+ * @typedef {{type: 'opened', run: number, cage: CageReport, group: Group, asked?: Problem, report?:
+ *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate'>}} Opened
  *
  * The surface as it is now; `evaluations` over all levels so far; `coarse` where `detail` tells more.
  * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: Mesh, control: Mesh, coarse?: boolean}} Surfaced
@@ -75,10 +71,10 @@
  * @typedef {{type: 'paused', run: number, progress: Progress}} Paused
  * @typedef {{type: 'ended', run: number, stop: StopReason, progress: Progress}} Ended
  *
- * The control mesh as OBJ with full digits, so that nothing is lost with the worker. `level` counts from the source.
- * @typedef {{type: 'saved', run: number, level: number, evaluations: number, obj: string}} Saved
+ * The best surface, so that nothing is lost with the worker.
+ * @typedef {{type: 'saved', run: number, evaluations: number, state: {level: number, points: Float64Array}}} Saved
  *
- * @typedef {{type: 'exported', run: number, obj: string}} Exported
+ * @typedef {{type: 'exported', run: number, what: Exportable, text: string}} Exported
  *
  * `progress` is in [0, 1].
  * @typedef {{type: 'certificateAdvanced', run: number, progress: number}} CertificateAdvanced
@@ -107,6 +103,8 @@ export function transferables(message) {
     views = [message.limit, message.control].flatMap((mesh) => Object.values(mesh));
   } else if (message.type === 'stepped') {
     views = [message.samples];
+  } else if (message.type === 'saved') {
+    views = [message.state.points];
   }
   return views.map((view) => /** @type {ArrayBuffer} */ (view.buffer)).filter((buffer) => buffer.byteLength > 0);
 }

@@ -9,13 +9,14 @@ import { MOVING_QUADS, RESTING_QUADS, SAVED_QUADS, densityFor } from './density.
 import { createExpectation } from './expectation.js';
 import { Occasion } from './occasion.js';
 
-/** @import {Cage, Minimizer} from '../../wasm/umbilic.js' */
-/** @import {Mesh} from '../../wasm/types.js' */
-/** @import {Command, Message, Open} from './protocol.js' */
+/** @import {Minimizer} from '../../wasm/umbilic.js' */
+/** @import {Mesh, Problem} from '../../wasm/types.js' */
+/** @import {Command, Exportable, Message, Open} from './protocol.js' */
+/** @import {parseReport} from '../../wasm/umbilic.js' */
 
 /**
  * @typedef {object} Surroundings
- * @property {{Cage: typeof Cage, Minimizer: typeof Minimizer, InputError: new (message: string) => Error}} core
+ * @property {{Minimizer: typeof Minimizer, InputError: new (message: string) => Error, parseReport: typeof parseReport}} core
  * @property {(message: Message) => void} post
  * @property {(task: () => void) => void} yieldThen runs the task after the messages that have arrived meanwhile
  * @property {() => number} now milliseconds
@@ -25,7 +26,7 @@ import { Occasion } from './occasion.js';
 /** Milliseconds between two meshes, and between two messages about steps. */
 const SURFACE_INTERVAL = 1000 / 15;
 const STEP_INTERVAL = 1000 / 20;
-/** Milliseconds between two copies of the control mesh for safe keeping. */
+/** Milliseconds between two copies of the surface for safe keeping. */
 const SAVE_INTERVAL = 2000;
 /** Milliseconds between two measurements of all energies, and the most that one may take while a run goes on. */
 const MEASURE_INTERVAL = 1000;
@@ -79,16 +80,25 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     return minimizer;
   }
 
+  /** What a file has to say of itself. @param {Problem | string} problem @param {Minimizer} opened */
+  function said(problem, opened) {
+    if (typeof problem !== 'string') return {};
+    const { cage, terms, options } = opened.problem;
+    const { umbilic, levels, limit, energies, certificate } = core.parseReport(problem);
+    const report = umbilic === 'report' && { report: { levels, limit, energies, certificate } };
+    return { asked: { cage, terms, options }, ...report };
+  }
+
   /** @param {Open} command */
   function open(command) {
-    const { minimizer: opened, counts } = expectation.take(command.source, command.options);
+    const opened = expectation.take(command.problem);
     certification.drop();
     minimizer?.dispose();
     minimizer = opened;
     run = command.run;
     pace = 'resting';
     introducing = true;
-    coarse = command.source.kind === 'minimizer';
+    coarse = command.look ?? false;
     startable = !coarse;
     levelsTold = 0;
     told = { level: -1, patches: 0, energy: NaN };
@@ -97,7 +107,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     measuredEvaluations = -1;
     samples = [];
     surfaceOccasion.postpone();
-    post({ type: 'opened', run, counts, group: opened.group });
+    post({ type: 'opened', run, cage: opened.cage, group: opened.group, ...said(command.problem, opened) });
     yieldThen(() => guard(command.run, () => introduce(command.run)));
     if (command.then) go(command.then === 'run' ? 'running' : 'stepping');
   }
@@ -128,27 +138,26 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
 
   /** @param {number} quads @param {boolean} [first] whether a finer one is to be asked for */
   function tellSurface(quads, first = false) {
-    const { level, energy, totalEvaluations } = current().progress;
+    const { level, energy, total_evaluations } = current().progress;
     const coarsest = level === told.level ? null : current().limitMesh(1);
     told = { level, patches: coarsest ? facesOf(coarsest) : told.patches, energy };
     shown = true;
     const control = current().controlMesh();
     const density = densityFor(told.patches, quads);
     const limit = coarsest && density === 1 ? coarsest : current().limitMesh(density);
-    post({ type: 'surfaced', run, evaluations: totalEvaluations, limit, control, ...(first && { coarse: true }) });
+    post({ type: 'surfaced', run, evaluations: total_evaluations, limit, control, ...(first && { coarse: true }) });
   }
 
   function tellSaved() {
-    const { level, totalEvaluations } = current().progress;
-    savedEvaluations = totalEvaluations;
-    post({ type: 'saved', run, level, evaluations: totalEvaluations, obj: current().controlObj() });
+    savedEvaluations = current().progress.total_evaluations;
+    post({ type: 'saved', run, evaluations: savedEvaluations, state: current().state });
   }
 
   function tellEnergies() {
     const start = now();
     const { energies } = current();
     if (now() - start > MEASURE_LIMIT) slowLevel = current().progress.level;
-    measuredEvaluations = current().progress.totalEvaluations;
+    measuredEvaluations = current().progress.total_evaluations;
     post({ type: 'measured', run, evaluations: measuredEvaluations, energies });
   }
 
@@ -179,10 +188,10 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   }
 
   function tellLevels() {
-    if (current().levelCount === levelsTold) return;
+    if (current().progress.ended_levels === levelsTold) return;
     const { levels, limit } = current();
     for (const report of levels.slice(levelsTold)) post({ type: 'levelEnded', run, report, limit });
-    levelsTold = current().levelCount;
+    levelsTold = levels.length;
     tellEnergies(); // The core has just computed them for its own report.
   }
 
@@ -195,7 +204,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
 
   /** The first surface that has moved first; then one thing at a time, so that pause and cancel never wait for two. */
   function tellOnTheWay() {
-    const { totalEvaluations: evaluations, level, energy } = current().progress;
+    const { total_evaluations: evaluations, level, energy } = current().progress;
     // The first evaluation is that of the surface at rest.
     if (evaluations === 1) firstEnergy = energy;
     if (level === told.level && Number.isNaN(told.energy)) told.energy = energy;
@@ -216,13 +225,13 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   function tick() {
     ticking = false;
     if (pace === 'resting' || !minimizer) return;
-    const before = minimizer.progress.totalEvaluations;
+    const before = minimizer.progress.total_evaluations;
     const start = now();
     const done = minimizer.step(1);
     stepCost = now() - start;
-    const { totalEvaluations, energy, gradientNorm, level } = minimizer.progress;
-    const evaluated = totalEvaluations > before;
-    if (evaluated) samples.push(totalEvaluations, energy, gradientNorm, level);
+    const { total_evaluations, energy, gradient_norm, level } = minimizer.progress;
+    const evaluated = total_evaluations > before;
+    if (evaluated) samples.push(total_evaluations, energy, gradient_norm, level);
     tellProgress(done);
     if (done) return end();
     if (pace === 'stepping' && evaluated) return rest();
@@ -278,6 +287,13 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     keepTicking();
   }
 
+  /** @param {Exportable} what */
+  function exported(what) {
+    if (what === 'control') return current().controlObj();
+    if (what === 'limit') return current().limitObj(densityFor(patches(), SAVED_QUADS));
+    return current().report(certification.ready() ?? undefined);
+  }
+
   function certify() {
     if (pace === 'resting') certification.begin(run, current());
   }
@@ -296,7 +312,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
       case 'detail':
         return introduce(run);
       case 'expect':
-        return expectation.begin(command.source, command.options);
+        return expectation.begin(command.problem);
       case 'optimize':
         return go('running');
       case 'step':
@@ -306,7 +322,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
       case 'cancel':
         return cancel();
       case 'export':
-        return post({ type: 'exported', run, obj: current().limitObj(densityFor(patches(), SAVED_QUADS)) });
+        return post({ type: 'exported', run, what: command.what, text: exported(command.what) });
       case 'certify':
         return certify();
       case 'abandonCertificate':

@@ -6,47 +6,41 @@ import { Cage, Minimizer, load } from '../../wasm/umbilic.js';
 import { SAVED_QUADS, densityFor } from './density.js';
 import { answerRequests } from './requests.js';
 
-/** @import {Mesh} from '../../wasm/types.js' */
-/** @import {CatalogCage, CatalogSurface} from '../files/catalog.js' */
+/** @import {CageInput, Mesh, Report} from '../../wasm/types.js' */
 
 /**
- * The generated cage, the final control mesh or the limit mesh as OBJ, or the latter's arrays; `surface` is not looked at for the cage.
+ * The generated cage, the final control mesh or the limit mesh as OBJ, or the latter's arrays, of the surface of a report.
  * Limit meshes have about `quads` quads at most.
- * @typedef {{what: 'cage' | 'control' | 'limit' | 'mesh', cage: CatalogCage, surface: CatalogSurface | null, quads?: number}} SurfaceQuestion
+ * @typedef {{what: 'cage' | 'control' | 'limit' | 'mesh', cage?: CageInput, report?: Report | null, quads?: number}} SurfaceQuestion
  */
 
 /** The page's way to it; see requests.js. @typedef {(question: SurfaceQuestion) => Promise<string | Mesh>} MakeSurface */
 
 /**
- * @param {Cage} control
+ * @param {Minimizer} minimizer
  * @param {'limit' | 'mesh'} what
  * @param {number} quads
  */
-function limit(control, what, quads) {
-  // The limit surface with its caps is the same under every functional.
-  const minimizer = new Minimizer(control, { weights: { bending: 1 }, levels: [0, 0] });
-  try {
-    const density = densityFor(control.counts.faces, quads);
-    return what === 'limit' ? minimizer.limitObj(density) : minimizer.limitMesh(density);
-  } finally {
-    minimizer.dispose();
-  }
+function limit(minimizer, what, quads) {
+  const density = densityFor(minimizer.controlMesh().edges.length / 4, quads);
+  return what === 'limit' ? minimizer.limitObj(density) : minimizer.limitMesh(density);
 }
 
 /** @param {SurfaceQuestion} question @returns {string | Mesh} */
-function make({ what, cage, surface, quads = SAVED_QUADS }) {
-  const generated = Cage.generate(cage.generator, cage);
-  try {
-    if (what === 'cage') return generated.obj();
-    if (!surface) throw new Error('the entry has no surface');
-    const control = generated.refined(surface.level, surface.points);
-    try {
-      return what === 'control' ? control.obj() : limit(control, what, quads);
-    } finally {
-      control.dispose();
-    }
-  } finally {
+function make({ what, cage, report, quads = SAVED_QUADS }) {
+  if (what === 'cage') {
+    if (!cage) throw new Error('there is no cage');
+    const generated = new Cage(cage);
+    const obj = generated.obj();
     generated.dispose();
+    return obj;
+  }
+  if (!report) throw new Error('the entry has no surface');
+  const minimizer = new Minimizer(report);
+  try {
+    return what === 'control' ? minimizer.controlObj() : limit(minimizer, what, quads);
+  } finally {
+    minimizer.dispose();
   }
 }
 

@@ -9,15 +9,17 @@
 const UNITS = 13;
 
 /**
- * @param {{Cage: typeof import('../../wasm/umbilic.js').Cage, Minimizer: typeof import('../../wasm/umbilic.js').Minimizer}} core
+ * @param {{Minimizer: typeof import('../../wasm/umbilic.js').Minimizer}} core
  * @param {(task: () => void) => void} yieldThen runs the task after the messages that have arrived meanwhile
  * @param {() => void} [done]
  */
-export function warmUp({ Cage, Minimizer }, yieldThen, done = () => {}) {
+export function warmUp({ Minimizer }, yieldThen, done = () => {}) {
   yieldThen(() => {
-    const cage = Cage.generate('two-3');
-    const minimizer = new Minimizer(cage, { weights: { mvs_cross: 1 }, levels: [2, 2] });
-    cage.dispose();
+    const minimizer = new Minimizer({
+      cage: { generator: 'two-3' },
+      terms: { mvs_cross: 1 },
+      options: { levels: [2, 2] },
+    });
     let units = 0;
     const next = () => {
       minimizer.step(1);

@@ -2,12 +2,12 @@
 /**
  * @file The studio's worker: a session, and what makes its first minute fast.
  */
-import { Cage, InputError, Minimizer } from '../../wasm/umbilic.js';
+import { InputError, Minimizer, parseReport } from '../../wasm/umbilic.js';
 import { host, post, yieldThen } from './host.js';
 import { createSession } from './session.js';
 import { warmUp } from './warm_up.js';
 
-const core = { Cage, InputError, Minimizer };
+const core = { InputError, Minimizer, parseReport };
 let warm = false;
 
 /** Not before the first surface has been told, which must not wait for it. */

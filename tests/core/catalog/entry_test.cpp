@@ -11,7 +11,7 @@
 #include "base/each_instruction_set.h"
 #include "catalog/catalog_json.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 namespace {
 
 using std::numbers::pi;
@@ -60,12 +60,13 @@ TEST(CatalogEntry, of_too_few_levels_is_an_upper_bound) {
 TEST(CatalogEntrySlow, is_computed_to_the_same_digits_again_and_its_file_holds_its_surface) {
   for (const char* functional : {"bending", "mvs"}) {
     const Entry first = entry("two-3", functional, 1);
-    const Json stored = json_of(first), minimizer = minimizer_json(first);
+    const Json stored = json_of(first);
+    const std::string minimizer = minimizer_text(first, "1.2.3");
     const Entry second = entry("two-3", functional, 1);
     EXPECT_EQ(json_of(second).dump(), stored.dump());
-    EXPECT_EQ(minimizer_json(second).dump(), minimizer.dump());
+    EXPECT_EQ(minimizer_text(second, "1.2.3"), minimizer);
     EXPECT_EQ(difference(stored, json_of(second)), "");
-    EXPECT_EQ(misfit(Json::parse(stored.dump()), Json::parse(minimizer.dump())), "");
+    EXPECT_EQ(misfit(Json::parse(stored.dump()), minimizer), "");
   }
 }
 
@@ -87,11 +88,14 @@ TEST(CatalogEntry, differs_from_one_that_is_off_by_more_than_rounding_explains) 
   wrong["status"] = "none_found";
   EXPECT_EQ(difference(wrong, right), "was none_found, is upper_bound");
 
-  Json minimizer = minimizer_json(sphere);
-  minimizer["points"][5] = minimizer["points"][5].get<double>() + 1e-3;
-  EXPECT_NE(misfit(right, minimizer).find("of the stored surface"), std::string::npos);
-  minimizer["points"].erase(0);
-  EXPECT_EQ(misfit(right, minimizer), "its points have not three coordinates each");
+  Json minimizer = Json::parse(minimizer_text(sphere, "1.2.3"));
+  Json& points = minimizer["surface"]["points"];
+  points[5] = points[5].get<double>() + 1e-3;
+  EXPECT_NE(misfit(right, minimizer.dump()).find("of the stored surface"), std::string::npos);
+  points.erase(0);
+  EXPECT_NE(misfit(right, minimizer.dump()).find("not three for each point"), std::string::npos);
+  minimizer.erase("surface");
+  EXPECT_EQ(misfit(right, minimizer.dump()), "it holds no surface");
 }
 
 TEST(CatalogEntry, ends_where_it_is_asked_to) {
@@ -112,4 +116,4 @@ TEST(CatalogEntry, of_two_families_agree_where_their_error_bars_overlap) {
 }
 
 }  // namespace
-}  // namespace umbilic
+}  // namespace umbilic::catalog

@@ -10,7 +10,7 @@
 
 #include "cage/generate.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 namespace {
 
 const umbilic::Run& some_run() {
@@ -62,4 +62,4 @@ TEST(CatalogRunner, begins_nothing_more_once_it_is_to_end) {
 }
 
 }  // namespace
-}  // namespace umbilic
+}  // namespace umbilic::catalog

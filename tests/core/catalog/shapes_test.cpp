@@ -11,7 +11,7 @@
 #include "catalog/reference.h"
 #include "catalog/settings.h"
 
-namespace umbilic {
+namespace umbilic::catalog {
 namespace {
 
 using std::numbers::pi;
@@ -82,4 +82,4 @@ TEST(ExactEnergies, are_known_of_spheres_tori_and_lawson_surfaces_only) {
 }
 
 }  // namespace
-}  // namespace umbilic
+}  // namespace umbilic::catalog

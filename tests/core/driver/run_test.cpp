@@ -154,7 +154,7 @@ TEST(Run, refuses_options_out_of_range_and_functionals_that_diverge) {
   const auto message = [&](const RunOptions& options) { return umbilic::Run::create(cage, options).error().message; };
   EXPECT_EQ(message(RunOptions{}), "all weights are zero");
   RunOptions options = minimizing("bending=1", 2, 1);
-  EXPECT_EQ(message(options), "levels 2..1: expected 0 <= first <= last");
+  EXPECT_EQ(message(options), "levels[1]: 1 is below levels[0], 2");
   options = minimizing("bending=1", 0, 12);
   EXPECT_NE(message(options).find("at most 2000000"), std::string::npos);
   options = minimizing("mvs=1", 1, 1);

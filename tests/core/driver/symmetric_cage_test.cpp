@@ -50,6 +50,7 @@ TEST(SymmetricCage, needs_the_points_of_its_orbits) {
   const std::string words = symmetric_cage(cage, 0, points).error().message;
   EXPECT_NE(words.find("one for each orbit of vertices at level 0"), std::string::npos) << words;
   EXPECT_EQ(symmetric_cage(cage, -1, points).error().message, "level -1: expected a number >= 0");
+  EXPECT_NE(words.find("or 22, of all vertices"), std::string::npos) << words;
   points(2, 1) = std::numeric_limits<double>::infinity();
   EXPECT_EQ(symmetric_cage(cage, 1, points).error().message, "point 3 is not finite");
 }

@@ -19,10 +19,7 @@ constexpr Weights kBlend{0.5, 0.25, 1e-3, 2e-3, 1e-3, 3e-3};
 class FrozenPatch {
  public:
   FrozenPatch(const PatchSet& set, const Vector3& normal, const Weights& weights, double area_factor)
-      : samples_(set.kind.regular()            ? tensor_rule(kFewPoints.regular_points)
-                 : set.kind.at_extraordinary() ? graded_rule(kFewPoints.cap_points, kFewPoints.grading)
-                                               : tensor_rule(kFewPoints.cap_points)),
-        table_(basis_table(set.kind, samples_, 1, kDerivativeCount)),
+      : table_(basis_table(set.kind, samples_of(set.kind, kFewPoints), 1, kDerivativeCount)),
         flat_(set.kind.shape == CapShape::kFlat),
         normal_(normal),
         weights_(weights),
@@ -30,20 +27,19 @@ class FrozenPatch {
 
   double slope(const Points& local, const Points& direction) const {
     const Points jets = moved(local), change = moved(direction);
-    const int count = static_cast<int>(samples_.size());
     Dual sum = 0;
-    for (int s = 0; s < count; ++s) {
+    for (int s = 0; s < table_.distinct; ++s) {
       Jet<Dual> jet;
       const auto to = vectors(jet);
       for (int d = 0; d < 9; ++d) {
-        const auto x = jets.row(d * count + s), t = change.row(d * count + s);
+        const auto x = jets.row(d * table_.samples + s), t = change.row(d * table_.samples + s);
         *to[d] = {Dual(x[0], t[0]), Dual(x[1], t[1]), Dual(x[2], t[2])};
       }
       const Curvature<Dual> k = CurvatureFrame<Dual, true>(jet).value();
       Curvature<Dual> unused;
       const Dual density = weighted_density<false>(weights_.data(), k, Dual(0), unused) +
                            weighted_density<true>(weights_.data(), k, Dual(0), unused);
-      sum += Dual(samples_[s].weight) * (density + Dual(area_factor_)) * k.area;
+      sum += Dual(table_.weights[s]) * (density + Dual(area_factor_)) * k.area;
     }
     return sum.dx;
   }
@@ -51,12 +47,11 @@ class FrozenPatch {
  private:
   /// W P - (flattening P n) n^T, linear in P.
   Points moved(const Points& local) const {
-    Points jets = table_.basis * local;
-    if (flat_) jets -= (table_.flattening * (local * normal_)) * normal_.transpose();
+    Points jets = table_.view(1, table_.basis) * local;
+    if (flat_) jets -= (table_.view(1, table_.flattening) * (local * normal_)) * normal_.transpose();
     return jets;
   }
 
-  std::vector<Sample> samples_;
   BasisTable table_;
   bool flat_;
   Vector3 normal_;

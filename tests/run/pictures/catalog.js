@@ -61,10 +61,10 @@ export async function catalogPictures(browser) {
   await page.waitForFunction(() => 'thumbnails' in window);
   for (const { name } of shapes) {
     const row = entries.filter(({ shape, minimizer }) => shape === name && minimizer);
-    await page.evaluate(
-      (surfaces) => /** @type {any} */ (window).thumbnails.open(surfaces),
-      row.map(({ minimizer }) => read(String(minimizer))),
-    );
+    await page.evaluate(({ shape, reports }) => /** @type {any} */ (window).thumbnails.open(shape, reports), {
+      shape: name,
+      reports: row.map(({ minimizer }) => read(String(minimizer))),
+    });
     for (const [i, { functional }] of row.entries()) {
       await page.evaluate((index) => /** @type {any} */ (window).thumbnails.show(index), i);
       writeFileSync(path.join(folder, `${name}.${functional}.webp`), await webp(page));

@@ -4,14 +4,13 @@
  * Each surface fills the canvas.
  */
 import { Vector3 } from 'three';
-import { Cage, Minimizer, load } from '../../../wasm/umbilic.js';
+import { Minimizer, load } from '../../../wasm/umbilic.js';
 import { quantityOf, sampleValues } from '../../../web/colour/quantities.js';
 import { robustRange } from '../../../web/colour/range.js';
 import { extent } from '../../../web/scene/geometry.js';
 import { createScene } from '../../../web/scene/scene.js';
 
-/** @import {Mesh} from '../../../wasm/types.js' */
-/** @import {CatalogSurface} from '../../../web/files/catalog.js' */
+/** @import {Mesh, Report} from '../../../wasm/types.js' */
 
 const QUADS = 60_000;
 /** Part of the canvas that a surface spans, across or up. */
@@ -44,22 +43,21 @@ const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('canvas'
 const scene = createScene(canvas, { calm: true, slow: true, rested: () => {} });
 scene.setUp('z');
 
-/** Of unit size, so that curvatures of one row compare. @param {Mesh} mesh */
+/** Of unit size, so that curvatures of one row compare, and where the scene draws it. @param {Mesh} mesh */
 function normalize(mesh) {
-  const { radius } = extent(mesh.positions);
-  mesh.positions.forEach((value, i) => (mesh.positions[i] = value / radius));
+  const { centre, radius } = extent(mesh.positions);
+  mesh.positions.forEach((value, i) => (mesh.positions[i] = (value - centre[i % 3]) / radius));
   mesh.curvatures.forEach((value, i) => (mesh.curvatures[i] = value * radius));
   return mesh;
 }
 
-/** @param {CatalogSurface} surface @returns {Mesh} */
-function limitMesh({ cage, level, points }) {
-  const generated = Cage.generate(cage.generator, cage);
-  const control = generated.refined(level, points);
-  const minimizer = new Minimizer(control, { weights: { bending: 1 }, levels: [0, 0] });
-  const density = Math.max(1, Math.min(24, Math.round(Math.sqrt(QUADS / control.counts.faces))));
+/** @param {Report} report @returns {Mesh} */
+function limitMesh(report) {
+  const minimizer = new Minimizer(report);
+  const faces = minimizer.controlMesh().edges.length / 4;
+  const density = Math.max(1, Math.min(24, Math.round(Math.sqrt(QUADS / faces))));
   const mesh = minimizer.limitMesh(density);
-  for (const part of [minimizer, control, generated]) part.dispose();
+  minimizer.dispose();
   return normalize(mesh);
 }
 
@@ -101,11 +99,11 @@ let shape = '';
 
 /** The page's end of `npm run pictures`. */
 const thumbnails = {
-  /** @param {CatalogSurface[]} surfaces of one row */
-  async open(surfaces) {
+  /** @param {string} name of a row @param {Report[]} reports of its entries */
+  async open(name, reports) {
     await load();
-    meshes = surfaces.map(limitMesh);
-    [{ shape }] = surfaces;
+    meshes = reports.map(limitMesh);
+    shape = name;
     const quantity = quantityOf('gaussian');
     if (!quantity) throw new Error('Gaussian curvature is not there');
     const ranges = meshes.map(({ curvatures }) => robustRange(sampleValues(quantity, curvatures), quantity.signed));
@@ -120,7 +118,6 @@ const thumbnails = {
     scene.setSurface(meshes[index]);
     const [azimuth, elevation] = views[shape] ?? usualView;
     scene.setCamera({ azimuth, elevation, distance: 1, target: [0, 0, 0] });
-    scene.fit(positions);
     frame(positions);
     scene.requestRender();
   },

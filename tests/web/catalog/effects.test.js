@@ -21,7 +21,7 @@ function page({ failure = '' } = {}) {
   let state = /** @type {State} */ ({ ...initialState(parseCatalogAddress(''), 'system'), catalog });
   /** @type {() => void} */
   let settle = () => {};
-  const surface = /** @type {any} */ ({ shape: 'two-3', cage: catalog.shapes[0].cage, level: 3, points: [1, 2, 3] });
+  const report = /** @type {any} */ ({ umbilic: 'report', surface: { level: 3, points: [1, 2, 3] } });
   const effects = createEffects({
     dispatch,
     makeSurface: async (command) => {
@@ -29,7 +29,7 @@ function page({ failure = '' } = {}) {
       if (failure) throw new Error(failure);
       return command.what === 'mesh' ? /** @type {any} */ ({ mesh: true }) : 'v 0 0 0\n';
     },
-    loadSurface: async () => surface,
+    loadReport: async () => report,
     loadFormats: async () =>
       /** @type {any} */ ({ stl: () => new ArrayBuffer(1), glb: async () => new ArrayBuffer(2) }),
     save: (name, content) => log.saved.push([name, content]),
@@ -94,7 +94,7 @@ describe('a download', () => {
     await finished({ type: 'downloadPressed', entry: 'two-3.bending', what });
     expect(log.saved.map(([saved]) => saved)).toEqual([name]);
     expect(log.asked).toHaveLength(1);
-    expect(log.asked[0].surface !== null).toBe(needsSurface);
+    expect(log.asked[0].report !== null).toBe(needsSurface);
     expect(state().exporting).toBeNull();
   });
 
@@ -107,7 +107,7 @@ describe('a download', () => {
 });
 
 describe('the worker of the surfaces', () => {
-  const command = { what: /** @type {const} */ ('cage'), cage: catalog.shapes[0].cage, surface: null };
+  const command = { what: /** @type {const} */ ('cage'), cage: catalog.shapes[0].cage };
 
   /** Workers that never answer by themselves. */
   function workers() {

@@ -30,6 +30,7 @@ describe('a surface of unit size', () => {
 
   test('has curvature 1 where it is a sphere', () => {
     const octahedron = {
+      centre: new Float64Array(3),
       positions: Float32Array.from([3, 0, 0, -3, 0, 0, 0, 3, 0, 0, -3, 0, 0, 0, 3, 0, 0, -3]),
       normals: new Float32Array(),
       curvatures: new Float32Array(12).fill(1 / 3),
@@ -58,6 +59,7 @@ describe('curvatures spread over a surface', () => {
     ]);
     const count = points.length / 3;
     const mesh = {
+      centre: new Float64Array(3),
       positions: Float32Array.from([...points, 2, 0, 0, 3, 0, 0, 3, 1, 0, 2, 1, 0]),
       normals: new Float32Array(),
       curvatures: new Float32Array(2 * (count + 4)).fill(1).fill(5, 2 * count),

@@ -7,7 +7,7 @@ import { describe, expect, test } from '@jest/globals';
 import { entryName, parseCompareAddress } from '../../../web/address/compare.js';
 import { createEffects } from '../../../web/pages/compare/effects.js';
 import { initialState, reduce } from '../../../web/pages/compare/reduce.js';
-import { catalog, surface } from '../catalog.js';
+import { catalog, report } from '../catalog.js';
 
 /** @typedef {import('../../../web/pages/compare/types.js').Action} Action */
 /** @typedef {import('../../../web/pages/compare/types.js').State} State */
@@ -15,6 +15,7 @@ import { catalog, surface } from '../catalog.js';
 /** A tetrahedron. */
 function mesh() {
   return {
+    centre: new Float64Array(3),
     positions: Float32Array.from([0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2]),
     normals: new Float32Array(12),
     curvatures: new Float32Array(8).fill(1),
@@ -76,9 +77,9 @@ describe('effects', () => {
     const addresses = [];
     const effects = createEffects({
       dispatch,
-      loadSurface: async (name) => {
+      loadReport: async (name) => {
         if (name.startsWith('sphere')) throw new Error('the file is gone');
-        return surface();
+        return report();
       },
       makeSurface: async (question) => {
         asked.push(question);
@@ -108,7 +109,7 @@ describe('effects', () => {
     dispatch({ type: 'fitPressed' });
     await settled();
     expect(asked).toHaveLength(2);
-    expect(asked[0]).toMatchObject({ what: 'mesh', cage: { generator: 'two-3' }, quads: 80_000 });
+    expect(asked[0]).toMatchObject({ what: 'mesh', report: report(), quads: 80_000 });
     const shown = now().surfaces['two-3.bending'];
     expect(shown).toHaveProperty('positions');
     dispatch({ type: 'entryChosen', index: 1, change: { functional: 'bending' } });

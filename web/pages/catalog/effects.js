@@ -7,7 +7,7 @@ import { formatCatalogAddress } from '../../address/catalog.js';
 import { catalogCsv } from './csv.js';
 import { findEntry } from './select.js';
 
-/** @import {CatalogSurface} from '../../files/catalog.js' */
+/** @import {Report} from '../../../wasm/types.js' */
 /** @import {MakeSurface} from '../../worker/surfaces.js' */
 /** @import {Action, Download, EntryId, State} from './types.js' */
 
@@ -24,20 +24,20 @@ const downloads = {
  * @param {object} surroundings
  * @param {(action: Action) => void} surroundings.dispatch
  * @param {MakeSurface} surroundings.makeSurface
- * @param {(name: string) => Promise<CatalogSurface>} surroundings.loadSurface
+ * @param {(name: string) => Promise<Report>} surroundings.loadReport
  * @param {() => Promise<typeof import('../../files/mesh_formats.js')>} surroundings.loadFormats
  * @param {(name: string, content: string | ArrayBuffer, type: string) => void} surroundings.save
  * @param {(search: string, how: 'push' | 'replace') => void} surroundings.setAddress from the question mark on
  * @returns {(action: Action, before: State, after: State) => void}
  */
-export function createEffects({ dispatch, makeSurface, loadSurface, loadFormats, save, setAddress }) {
+export function createEffects({ dispatch, makeSurface, loadReport, loadFormats, save, setAddress }) {
   /** @param {State} state @param {EntryId} id @param {Download} what */
   async function download(state, id, what) {
     const found = findEntry(state.catalog, id);
     if (!found) throw new Error(`there is no entry ${id}`);
     const { entry, shape } = found;
-    const surface = what !== 'cage' && entry.minimizer ? await loadSurface(entry.minimizer) : null;
-    const made = await makeSurface({ what: downloads[what].what, cage: surface?.cage ?? shape.cage, surface });
+    const report = what !== 'cage' && entry.minimizer ? await loadReport(entry.minimizer) : null;
+    const made = await makeSurface({ what: downloads[what].what, cage: shape.cage, report });
     const { ending, type } = downloads[what];
     const name = `${what === 'cage' ? shape.name : id}${ending}`;
     if (typeof made === 'string') return save(name, made, type);

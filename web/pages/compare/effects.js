@@ -7,7 +7,7 @@ import { spreadCurvatures, withUnitArea } from './equal_area.js';
 import { entryOf } from './reduce.js';
 
 /** @import {EntryName} from '../../address/compare.js' */
-/** @import {CatalogSurface} from '../../files/catalog.js' */
+/** @import {Report} from '../../../wasm/types.js' */
 /** @import {MakeSurface} from '../../worker/surfaces.js' */
 /** @import {Action, Shown, State} from './types.js' */
 
@@ -17,12 +17,12 @@ const QUADS = 160_000;
 /**
  * @param {object} surroundings
  * @param {(action: Action) => void} surroundings.dispatch
- * @param {(name: string) => Promise<CatalogSurface>} surroundings.loadSurface
+ * @param {(name: string) => Promise<Report>} surroundings.loadReport
  * @param {MakeSurface} surroundings.makeSurface
  * @param {(search: string) => void} surroundings.setAddress
  * @returns {(after: State) => void}
  */
-export function createEffects({ dispatch, loadSurface, makeSurface, setAddress }) {
+export function createEffects({ dispatch, loadReport, makeSurface, setAddress }) {
   /** @type {Set<string>} */
   const asked = new Set();
   let address = '';
@@ -33,8 +33,8 @@ export function createEffects({ dispatch, loadSurface, makeSurface, setAddress }
     if (!entry) return { problem: 'The catalog has no such entry.' };
     if (!entry.minimizer) return { problem: entry.reason ?? 'No minimizer was found.' };
     try {
-      const surface = await loadSurface(entry.minimizer);
-      const mesh = await makeSurface({ what: 'mesh', cage: surface.cage, surface, quads: QUADS / entries.length });
+      const report = await loadReport(entry.minimizer);
+      const mesh = await makeSurface({ what: 'mesh', report, quads: QUADS / entries.length });
       if (typeof mesh === 'string') return { problem: '' };
       const shown = withUnitArea(mesh);
       return { ...shown, spread: spreadCurvatures(shown) };

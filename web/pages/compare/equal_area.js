@@ -60,6 +60,7 @@ export function withUnitArea(mesh) {
   const { centre } = extent(mesh.positions);
   return {
     ...mesh,
+    centre: new Float64Array(3),
     positions: mesh.positions.map((value, i) => scale * (value - centre[i % 3])),
     curvatures: mesh.curvatures.map((value) => value / scale),
   };

@@ -38,5 +38,5 @@ export function torusMesh(ratio) {
       triangles.set([a, b, c, a, c, d], 6 * vertex);
     }
   }
-  return { positions, normals, curvatures, triangles, edges: new Uint32Array() };
+  return { centre: new Float64Array(3), positions, normals, curvatures, triangles, edges: new Uint32Array() };
 }

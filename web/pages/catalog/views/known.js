@@ -28,11 +28,11 @@ const fact = (term, ...value) => element('div', {}, element('dt', {}, term), ele
 
 /** What is known of an entry besides its energy. @param {Found} found @param {CatalogStart[]} starts of the catalog @returns {HTMLElement[]} */
 export function facts({ entry, shape }, starts) {
-  const { group, certificate, second_family: second, extrapolated, paper, exact, energy, settings } = entry;
+  const { group, certificate, second_family: second, limit, paper, exact, energy, settings } = entry;
   const list = [fact('Genus', String(shape.genus))];
   if (junctionWords(shape)) list.push(fact('Frame', junctionWords(shape)));
   if (group) list.push(fact('Symmetry', ...groupSymbol(group.name), `, order ${group.order}`));
-  if (extrapolated?.order) list.push(fact('Observed order', compact(extrapolated.order, 2)));
+  if (limit?.order) list.push(fact('Observed order', compact(limit.order, 2)));
   if (paper !== null) {
     const ratio = energy === null ? '' : `, ratio ${compact(energy / paper)}`;
     list.push(fact('The paper', `${whole(paper)}${ratio}`));
@@ -82,7 +82,7 @@ function energyRow(name, formula, value, objective) {
 }
 
 /** Its surface's energies under every functional. @param {CatalogEntry} entry @param {CatalogFunctional} functional @returns {HTMLElement[]} */
-export function energyTable({ energies, quadrature_error }, functional) {
+export function energyTable({ energies }, functional) {
   const parts = Object.entries(functional.weights);
   const rows = functionals.map(({ id, name, formula }) =>
     energyRow(name, formula, energies[id], parts.length === 1 && id in functional.weights),
@@ -101,6 +101,7 @@ export function energyTable({ energies, quadrature_error }, functional) {
     rows.push(element('tr', {}, element('th', { scope: 'row' }, '∫ K dA / 4π'), element('td', {}, text)));
   }
   const table = element('table', { class: 'energies' }, element('tbody', {}, ...rows));
+  const { quadrature_error } = energies;
   const error = quadrature_error === null ? '' : ` Quadrature error ${compact(quadrature_error, 2)}.`;
   return [table, element('p', { class: 'note' }, `By a finer rule than the one that was minimized.${error}`)];
 }

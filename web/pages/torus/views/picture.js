@@ -61,16 +61,14 @@ export function createPictureView(root, dispatch) {
   let mesh = null;
   const setRatio = whenChanged((/** @type {number} */ ratio) => {
     if (!scene) return instead.querySelector('.section')?.replaceWith(section(ratio));
-    const first = !mesh;
     mesh = torusMesh(ratio);
     scene.setSurface(mesh);
-    if (first) scene.fit(mesh.positions);
   });
   const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
   const shade = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) =>
     scene?.shade(quantity, range),
   );
-  const fit = whenChanged((/** @type {number} */ fits) => fits && mesh && scene?.fit(mesh.positions));
+  const fit = whenChanged((/** @type {number} */ fits) => fits && scene?.fit());
 
   return {
     /** @param {State} state */

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// What the commands beside `optimize` print as JSON: documents as in problem/text.h, of the same parts as a report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/cage_shape.h"
+#include "energy/torus.h"
+#include "problem/text.h"
+
+namespace umbilic::cli {
+
+/// {"umbilic": "cage", …}
+struct CageDocument {
+  std::string program;
+  CageReport cage;
+  CageShape shape;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("program", self.program);
+    visit("cage", self.cage);
+    visit("valences", self.shape.valences);
+    visit("face_sizes", self.shape.face_sizes);
+    visit("first_level", self.shape.first_level);
+  }
+};
+
+/// {"umbilic": "evaluation", …}
+struct EvaluationDocument {
+  std::string program;
+  std::string instruction_set;
+  CageReport cage;
+  CapKind cap;
+  EvaluationReport evaluation;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("program", self.program);
+    visit("instruction_set", self.instruction_set);
+    visit("cage", self.cage);
+    visit("cap", self.cap);
+    EvaluationReport::members(visit, self.evaluation);
+  }
+};
+
+/// {"umbilic": "gradient", …}
+struct GradientDocument {
+  std::string program;
+  CageReport cage;
+  Weights terms;
+  CapKind cap;
+  GradientReport gradient;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("program", self.program);
+    visit("cage", self.cage);
+    visit("terms", self.terms);
+    visit("cap", self.cap);
+    GradientReport::members(visit, self.gradient);
+  }
+};
+
+/// Of a torus of revolution.
+struct TorusRow {
+  double ratio;
+  FunctionalValues energies;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("ratio", self.ratio);
+    visit("energies", self.energies);
+  }
+};
+
+/// {"umbilic": "tori", …}
+struct ToriDocument {
+  std::string program;
+  std::vector<TorusRow> tori{};
+  std::optional<Weights> terms{};  ///< of the minimizer
+  std::optional<TorusMinimizer> minimizer{};
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("program", self.program);
+    visit("tori", self.tori);
+    visit("terms", self.terms);
+    visit("minimizer", self.minimizer);
+  }
+};
+
+}  // namespace umbilic::cli

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Tells problems from cages, and puts the text of a cage's file in the place of its path.
+#include "cli/problem_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/files.h"
+#include "problem/text.h"
+
+namespace umbilic::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_of_file(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+bool is_json(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != text.npos && text[first] == '{';
+}
+
+/// What messages call the cage, whose text is there.
+Result<std::string> open_cage(CageInput& input, const fs::path& folder) {
+  if (const auto* path = std::get_if<CagePath>(&input)) {
+    const std::string file = (folder / path->file).string();
+    Result<std::string> text = read_file(file);
+    if (!text) return text.error();
+    input = CageText{file, std::move(text).value()};
+  }
+  if (const auto* generated = std::get_if<GeneratedCage>(&input)) return generated->generator;
+  const std::string& name = std::get<CageText>(input).name;
+  return name.empty() ? std::string("its cage") : name;
+}
+
+}  // namespace
+
+Result<ProblemFile> load_problem(const std::string& path) {
+  const std::string name = name_of_file(path);
+  Result<std::string> text = read_file(path);
+  if (!text) return text.error();
+  if (!is_json(*text)) return ProblemFile{{.cage = CageText{name, std::move(text).value()}}, name, false};
+  Result<Problem> problem = parse_problem(*text);
+  if (!problem) return Error{fmt::format("{}: {}", name, problem.error().message)};
+  const Result<std::string> cage = open_cage(problem->cage, path == "-" ? fs::path() : fs::path(path).parent_path());
+  if (!cage) return Error{fmt::format("{}: {}", name, cage.error().message)};
+  return ProblemFile{std::move(problem).value(), *cage, true};
+}
+
+}  // namespace umbilic::cli

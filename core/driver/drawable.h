@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Meshes as graphics hardware takes them: single precision, triangles, edges.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/types.h"
+#include "cage/cage.h"
+#include "driver/limit_mesh.h"
+
+namespace umbilic {
+
+struct DrawableMesh {
+  Vector3 centre = Vector3::Zero();      ///< the middle of the bounding box, in the coordinates of the cage
+  std::vector<float> positions;          ///< 3 per vertex, from the centre: a small mesh far away keeps its digits
+  std::vector<float> normals;            ///< 3 per vertex; none for a cage
+  std::vector<float> curvatures;         ///< kappa1 >= kappa2 of each vertex; none for a cage
+  std::vector<std::uint32_t> triangles;  ///< 3 per triangle
+  std::vector<std::uint32_t> edges;      ///< 2 per edge, each edge once; none for a limit mesh
+};
+
+/// Each face as a fan of triangles.
+DrawableMesh drawable(const Cage& cage);
+
+/// Each quad as two triangles.
+DrawableMesh drawable(const LimitMesh& mesh);
+
+}  // namespace umbilic

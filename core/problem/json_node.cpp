@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Builds the tree from the events of nlohmann's parser, which works without recursion; nothing here throws but for
+/// memory. The only file of the core that includes that library: it takes seconds to compile.
+#include "problem/json_node.h"
+
+#include <fmt/format.h>
+
+#define JSON_NO_IO
+#include <nlohmann/json.hpp>
+
+#include "cage/text.h"
+
+namespace umbilic {
+namespace {
+
+/// What nlohmann::json::sax_parse calls; each returns whether to go on.
+class TreeBuilder {
+ public:
+  using Library = nlohmann::json;
+
+  bool null() { return put(std::monostate()); }
+  bool boolean(bool value) { return put(value); }
+  bool number_integer(Library::number_integer_t value) { return put(static_cast<double>(value)); }
+  bool number_unsigned(Library::number_unsigned_t value) { return put(static_cast<double>(value)); }
+  bool number_float(Library::number_float_t value, const std::string&) { return put(value); }
+  bool string(std::string& value) { return put(std::move(value)); }
+  bool binary(Library::binary_t&) { return false; }  // of other formats
+
+  bool start_object(std::size_t) { return open(JsonNode::Object()); }
+  bool end_object() { return close(); }
+  bool start_array(std::size_t) { return open(JsonNode::Array()); }
+  bool end_array() { return close(); }
+  bool key(std::string& name) {
+    std::get<JsonNode::Object>(open_.back()->value).push_back({std::move(name), {}});
+    return true;
+  }
+
+  /// Its words end with the place where it stopped and what it had read last, which may be long.
+  bool parse_error(std::size_t position, const std::string& last, const nlohmann::detail::exception& why) {
+    const std::string_view words = why.what();
+    const std::size_t line = words.find("line "), colon = words.find(": ", line == words.npos ? 0 : line);
+    const bool placed = line != words.npos && colon != words.npos;
+    const std::string place = placed ? std::string(words.substr(line, colon - line)) : fmt::format("byte {}", position);
+    if (last.empty()) {
+      error_.message = place + ": the text ends too early, it is no JSON";
+    } else {
+      error_.message = fmt::format("{}: this is no JSON, at {}", place, in_quotes(last));
+    }
+    return false;
+  }
+
+  Result<JsonNode> take() {
+    if (!error_.message.empty()) return error_;
+    return std::move(root_);
+  }
+
+ private:
+  template <class T>
+  bool put(T value) {
+    place().value = std::move(value);
+    return true;
+  }
+
+  template <class T>
+  bool open(T container) {
+    if (open_.size() >= kDeepestJson) {
+      error_.message = fmt::format("nested more than {} deep", kDeepestJson);
+      return false;
+    }
+    JsonNode& node = place();
+    node.value = std::move(container);
+    open_.push_back(&node);
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  /// Where the next value goes. What is open stays where it is: only the innermost container grows.
+  JsonNode& place() {
+    if (open_.empty()) return root_;
+    if (auto* array = std::get_if<JsonNode::Array>(&open_.back()->value)) return array->emplace_back();
+    return std::get<JsonNode::Object>(open_.back()->value).back().node;
+  }
+
+  JsonNode root_;
+  std::vector<JsonNode*> open_;
+  Error error_;
+};
+
+}  // namespace
+
+Result<JsonNode> parse_json(std::string_view text) {
+  if (text.size() > kLongestJson) {
+    return Error{fmt::format("the text is longer than {} MB", kLongestJson >> 20)};
+  }
+  TreeBuilder builder;
+  nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+  return builder.take();
+}
+
+}  // namespace umbilic

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Numbers, strings and layout.
+#include "problem/print.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+namespace umbilic {
+namespace {
+
+/// Bytes of the UTF-8 character that `text` begins with; 0 where it begins with none. The second byte of the longer
+/// ones has a narrower range where that excludes needless length, surrogates and what is above U+10FFFF.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const auto within = [&](std::size_t i, unsigned least, unsigned most) { return byte(i) >= least && byte(i) <= most; };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return 1;
+  if (within(0, 0xC2, 0xDF)) return within(1, 0x80, 0xBF) ? 2 : 0;
+  if (within(0, 0xE0, 0xEF)) {
+    const bool second = within(1, lead == 0xE0 ? 0xA0 : 0x80, lead == 0xED ? 0x9F : 0xBF);
+    return second && within(2, 0x80, 0xBF) ? 3 : 0;
+  }
+  if (within(0, 0xF0, 0xF4)) {
+    const bool second = within(1, lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF);
+    return second && within(2, 0x80, 0xBF) && within(3, 0x80, 0xBF) ? 4 : 0;
+  }
+  return 0;
+}
+
+/// Control characters, which are all below U+0020, and what JSON gives a meaning.
+void append_escaped(std::string& text, char c) {
+  switch (c) {
+    case '"': text += "\\\""; break;
+    case '\\': text += "\\\\"; break;
+    case '\n': text += "\\n"; break;
+    case '\r': text += "\\r"; break;
+    case '\t': text += "\\t"; break;
+    default:
+      if (static_cast<unsigned char>(c) < 0x20) {
+        fmt::format_to(std::back_inserter(text), "\\u{:04x}", static_cast<int>(c));
+      } else {
+        text += c;
+      }
+  }
+}
+
+}  // namespace
+
+void JsonPrinter::print(bool value) { text_ += value ? "true" : "false"; }
+
+void JsonPrinter::print(int value) { fmt::format_to(std::back_inserter(text_), "{}", value); }
+
+void JsonPrinter::print(double value) {
+  if (!std::isfinite(value)) {
+    text_ += "null";
+  } else if (value == 0 && std::signbit(value)) {
+    text_ += "-0.0";  // what reads integers apart would lose the sign of -0
+  } else {
+    fmt::format_to(std::back_inserter(text_), "{}", value);
+  }
+}
+
+/// JSON is UTF-8: what is not, as a comment in a file may be, becomes U+FFFD.
+void JsonPrinter::print(std::string_view value) {
+  text_ += '"';
+  while (!value.empty()) {
+    const std::size_t length = character_length(value);
+    if (length == 1) {
+      append_escaped(text_, value[0]);
+    } else {
+      text_ += length > 0 ? value.substr(0, length) : "\xEF\xBF\xBD";
+    }
+    value.remove_prefix(length > 0 ? length : 1);
+  }
+  text_ += '"';
+}
+
+void JsonPrinter::print(const Points& points) {
+  text_ += '[';
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    if (i > 0) text_ += layout_ == Layout::kIndented ? ", " : ",";
+    print(points.data()[i]);
+  }
+  text_ += ']';
+}
+
+void JsonPrinter::print(const Weights& weights) {
+  open('{');
+  for (int i = 0; i < kFunctionalCount; ++i) {
+    if (weights[i] != 0) (*this)(kFunctionalNames[i], weights[i]);
+  }
+  close('}');
+}
+
+void JsonPrinter::open(char bracket) {
+  text_ += bracket;
+  ++depth_;
+  empty_ = true;
+}
+
+void JsonPrinter::close(char bracket) {
+  --depth_;
+  if (!empty_) new_line();
+  text_ += bracket;
+  empty_ = false;
+}
+
+void JsonPrinter::begin_member(std::string_view name) {
+  begin_element();
+  print(name);
+  text_ += layout_ == Layout::kIndented ? ": " : ":";
+}
+
+void JsonPrinter::begin_element() {
+  if (!empty_) text_ += ',';
+  empty_ = false;
+  new_line();
+}
+
+void JsonPrinter::new_line() {
+  if (layout_ == Layout::kIndented) text_.append("\n").append(2 * depth_, ' ');
+}
+
+}  // namespace umbilic

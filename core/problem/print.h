@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Prints structs with a list of members as JSON. Numbers have the fewest digits that read back as the same number;
+/// those that are not finite become null. An optional member that is empty is left out.
+#pragma once
+
+#include <string>
+
+#include "base/types.h"
+#include "energy/functional.h"
+#include "problem/members.h"
+
+namespace umbilic {
+
+class JsonPrinter {
+ public:
+  enum class Layout { kCompact, kIndented };
+
+  explicit JsonPrinter(Layout layout) : layout_(layout) {}
+
+  /// One member of the object that is open.
+  template <class T>
+  void operator()(std::string_view name, const T& member, std::string_view = {}) {
+    begin_member(name);
+    print(member);
+  }
+  template <class T>
+  void operator()(std::string_view name, const std::optional<T>& member, std::string_view = {}) {
+    if (member) (*this)(name, *member);
+  }
+  template <class T>
+  void required(std::string_view name, const T& member, std::string_view = {}) {
+    (*this)(name, member);
+  }
+  template <class T>
+  void pair(std::string_view name, const T& first, const T& second, std::string_view = {}) {
+    begin_member(name);
+    text_ += '[';
+    print(first);
+    text_ += layout_ == Layout::kIndented ? ", " : ",";
+    print(second);
+    text_ += ']';
+  }
+
+  void print(bool value);
+  void print(int value);
+  void print(double value);
+  void print(std::string_view value);
+  void print(const std::string& value) { print(std::string_view(value)); }
+  void print(const char* value) { print(std::string_view(value)); }
+  /// x, y, z, x, y, z, …
+  void print(const Points& points);
+  /// Those that are not 0, by their names.
+  void print(const Weights& weights);
+  template <NamedEnumeration E>
+  void print(E value) {
+    print(name_of(value));
+  }
+  template <class T>
+  void print(const std::map<int, T>& values) {
+    open('{');
+    for (const auto& [key, value] : values) (*this)(std::to_string(key), value);
+    close('}');
+  }
+  template <class T>
+  void print(const std::vector<T>& values) {
+    open('[');
+    for (const T& value : values) {
+      begin_element();
+      print(value);
+    }
+    close(']');
+  }
+  template <class... Alternatives>
+  void print(const std::variant<Alternatives...>& value) {
+    std::visit([&](const auto& alternative) { print(alternative); }, value);
+  }
+  template <HasMembers T>
+  void print(const T& value) {
+    open('{');
+    T::members(*this, value);
+    close('}');
+  }
+
+  // What has no struct is printed step by step: begin_member("a"), open('['), begin_element(), print(1), close(']').
+  void open(char bracket);
+  void close(char bracket);
+  void begin_member(std::string_view name);
+  void begin_element();
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  void new_line();
+
+  Layout layout_;
+  std::string text_;
+  int depth_ = 0;
+  bool empty_ = true;  // whether nothing stands in the innermost bracket yet
+};
+
+/// Without line breaks.
+template <class T>
+std::string json_text(const T& value) {
+  JsonPrinter printer(JsonPrinter::Layout::kCompact);
+  printer.print(value);
+  return printer.take();
+}
+
+}  // namespace umbilic

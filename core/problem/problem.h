@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// What is asked: one problem, from whichever door it comes. Its text form is in text.h.
+///
+///     {"umbilic": "problem", "version": 1,
+///      "cage": {"generator": "two-3"},
+///      "terms": {"bending": 0.95, "mvs_cross": 0.05},
+///      "options": {"levels": [0, 3]}}
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "base/types.h"
+#include "cage/generate.h"
+#include "problem/members.h"
+#include "problem/options.h"
+
+namespace umbilic {
+
+/// A cage of `generate_cage`.
+struct GeneratedCage {
+  static constexpr std::string_view kKey = "generator";
+  std::string generator;
+  CageOptions options;
+
+  /// Prints only the options that apply to this cage; reads all, of which it ignores the others.
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit.required("generator", self.generator, "Name of the cage; `umbilic cage --list` prints all");
+    const CageParameters has = std::is_const_v<Self> ? parameters_of(self.generator) : CageParameters();
+    if (has.family) visit("family", self.options.family, "Of frames: junctions as prisms, or made of flags");
+    if (has.thickness) visit("thickness", self.options.thickness, "Of the arms or the tube, relative to the default");
+    if (has.spread) visit("spread", self.options.spread, "Of frames two-N: distance of the arms from the axis");
+    if (has.ratio) visit("ratio", self.options.ratio, "Of the torus: minor radius / major radius");
+    if (has.segments) {
+      visit.pair("segments", self.options.major_segments, self.options.minor_segments,
+                 "Of the torus: quads around the axis and around the tube");
+    }
+  }
+};
+
+/// A cage as the text of an OBJ or OFF file.
+struct CageText {
+  static constexpr std::string_view kKey = "text";
+  std::string name;  ///< what messages call it, may be empty
+  std::string text;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("name", self.name, "What messages call it");
+    visit.required("text", self.text, "The text of an OBJ or OFF file");
+  }
+};
+
+/// A cage in a file beside the problem. Only the command line can open it: it puts the file's text in its place.
+struct CagePath {
+  static constexpr std::string_view kKey = "file";
+  std::string file;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit.required("file", self.file, "Path of an OBJ or OFF file, for the command line only");
+  }
+};
+
+using CageInput = std::variant<GeneratedCage, CageText, CagePath>;
+
+/// What the surface has to keep besides its symmetry: nothing yet.
+struct Constraints {
+  template <class Visit, class Self>
+  static void members(Visit&&, Self&) {}
+};
+
+/// A surface of a run, small enough to be kept: the control mesh `level` Catmull-Clark steps from the cage, as the
+/// points of the first vertex of each orbit of the symmetry that the run keeps. See driver/symmetric_cage.h.
+struct SurfaceState {
+  int level = 0;
+  Points points;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit.required("level", self.level, "Catmull-Clark steps from the cage to the mesh of the points");
+    visit.required("points", self.points,
+                   "x, y, z of the first vertex of each orbit of the symmetry, one after another");
+  }
+};
+
+/// Whether the level is one; otherwise `error` says what is wrong.
+bool in_range(const SurfaceState& state, Error& error);
+
+struct Problem {
+  static constexpr Unknown kUnknown = Unknown::kRefused;
+  CageInput cage;
+  Constraints constraints{};
+  RunOptions options{};  ///< with the terms
+  /// Where the run goes on, at this level and with these points, instead of beginning with the cage at its first level.
+  std::optional<SurfaceState> start{};
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit.required("cage", self.cage, "The cage: generated, or the text of a file");
+    visit.required("terms", self.options.weights, "Weights of the functionals whose sum is minimized, 0 unless given");
+    visit("constraints", self.constraints, "There are none yet");
+    visit("options", self.options, "How the sum is minimized");
+    visit("start", self.start, "Where the run goes on, instead of beginning with the cage");
+  }
+};
+
+}  // namespace umbilic

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Reads structs with a list of members from a JSON tree. The first error counts; it names the member:
+/// "options.levels[1]: expected a whole number".
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/types.h"
+#include "energy/functional.h"
+#include "problem/json_node.h"
+#include "problem/members.h"
+
+namespace umbilic {
+
+class JsonReader;
+
+/// Visits the members of a struct and takes each from an object.
+class ObjectReader {
+ public:
+  ObjectReader(JsonReader& reader, const JsonNode::Object& object) : reader_(reader), object_(object) {}
+
+  template <class T>
+  void operator()(std::string_view name, T& member, std::string_view = {});
+  template <class T>
+  void required(std::string_view name, T& member, std::string_view = {});
+  template <class T>
+  void pair(std::string_view name, T& first, T& second, std::string_view = {});
+
+  /// An error for a member that nobody has asked for.
+  void refuse_the_rest();
+
+ private:
+  /// Null where there is none. Two of one name are an error.
+  const JsonNode* find(std::string_view name);
+
+  JsonReader& reader_;
+  const JsonNode::Object& object_;
+  std::vector<std::string_view> known_;
+};
+
+class JsonReader {
+ public:
+  bool ok() const { return !error_; }
+  const Error& error() const { return *error_; }
+
+  /// Remembers the error at the place that is being read, unless there is one already.
+  void fail(std::string_view words);
+
+  void read(const JsonNode& node, bool& value);
+  void read(const JsonNode& node, int& value);
+  /// null is NaN.
+  void read(const JsonNode& node, double& value);
+  void read(const JsonNode& node, std::string& value);
+  void read(const JsonNode& node, Points& points);
+  void read(const JsonNode& node, Weights& weights);
+
+  template <NamedEnumeration E>
+  void read(const JsonNode& node, E& value) {
+    const std::vector<std::string_view> names = names_of<E>();
+    const int index = read_name(node, names);
+    if (index >= 0) value = static_cast<E>(index);
+  }
+
+  template <class T>
+  void read(const JsonNode& node, std::optional<T>& value) {
+    read(node, value.emplace());
+  }
+
+  template <class T>
+  void read(const JsonNode& node, std::vector<T>& values) {
+    const auto* array = node.get_if<JsonNode::Array>();
+    if (!array) return fail("expected an array");
+    values.resize(array->size());
+    for (std::size_t i = 0; i < values.size() && ok(); ++i) read_element((*array)[i], i, values[i]);
+  }
+
+  template <class T>
+  void read_pair(const JsonNode& node, T& first, T& second) {
+    const auto* array = node.get_if<JsonNode::Array>();
+    if (!array || array->size() != 2) return fail("expected two numbers, [first, second]");
+    read_element((*array)[0], 0, first);
+    read_element((*array)[1], 1, second);
+  }
+
+  /// The alternative whose key member is there.
+  template <class... Alternatives>
+  void read(const JsonNode& node, std::variant<Alternatives...>& value) {
+    const auto* object = node.get_if<JsonNode::Object>();
+    if (!object) return fail("expected an object");
+    const int index = alternative(*object, {Alternatives::kKey...});
+    int i = 0;
+    (void)((i++ == index && (read(node, value.template emplace<Alternatives>()), true)) || ...);
+  }
+
+  template <HasMembers T>
+  void read(const JsonNode& node, T& value) {
+    const auto* object = node.get_if<JsonNode::Object>();
+    if (!object) return fail("expected an object");
+    ObjectReader members(*this, *object);
+    read_members(members, value);
+  }
+
+  /// The members of a struct, of an object from which others may have been read.
+  template <HasMembers T>
+  void read_members(ObjectReader& members, T& value) {
+    const Unknown outside = unknown_;
+    if constexpr (requires { T::kUnknown; }) unknown_ = T::kUnknown;
+    T::members(members, value);
+    if (unknown_ == Unknown::kRefused) members.refuse_the_rest();
+    unknown_ = outside;
+    if constexpr (requires(Error & error) { in_range(value, error); }) {
+      if (Error error; ok() && !in_range(value, error)) fail_below(error.message);
+    }
+  }
+
+ private:
+  friend class ObjectReader;
+
+  /// Adds a member's name to the path for as long as it lives.
+  class Inside {
+   public:
+    Inside(JsonReader& reader, std::string_view name) : path_(reader.path_), length_(path_.size()) {
+      if (!path_.empty()) path_ += '.';
+      path_ += name;
+    }
+    Inside(JsonReader& reader, std::size_t index) : path_(reader.path_), length_(path_.size()) {
+      path_ += '[' + std::to_string(index) + ']';
+    }
+    Inside(const Inside&) = delete;
+    Inside& operator=(const Inside&) = delete;
+    ~Inside() { path_.resize(length_); }
+
+   private:
+    std::string& path_;
+    std::size_t length_;
+  };
+
+  template <class T>
+  void read_element(const JsonNode& node, std::size_t index, T& value) {
+    const Inside inside(*this, index);
+    read(node, value);
+  }
+
+  /// The place of a word in the list; -1 and an error where it is in none.
+  int read_name(const JsonNode& node, const std::vector<std::string_view>& names);
+  /// The place of the only key that the object has; -1 and an error otherwise.
+  int alternative(const JsonNode::Object& object, const std::vector<std::string_view>& keys);
+  /// The error of a member of what is being read, whose name its words begin with.
+  void fail_below(std::string_view words);
+
+  Unknown unknown_ = Unknown::kRefused;
+  std::string path_;
+  std::optional<Error> error_;
+};
+
+template <class T>
+void ObjectReader::operator()(std::string_view name, T& member, std::string_view) {
+  const JsonReader::Inside inside(reader_, name);
+  if (const JsonNode* node = find(name); node && reader_.ok()) reader_.read(*node, member);
+}
+
+template <class T>
+void ObjectReader::required(std::string_view name, T& member, std::string_view) {
+  const JsonReader::Inside inside(reader_, name);
+  const JsonNode* node = find(name);
+  if (!node) return reader_.fail("missing");
+  if (reader_.ok()) reader_.read(*node, member);
+}
+
+template <class T>
+void ObjectReader::pair(std::string_view name, T& first, T& second, std::string_view) {
+  const JsonReader::Inside inside(reader_, name);
+  if (const JsonNode* node = find(name); node && reader_.ok()) reader_.read_pair(*node, first, second);
+}
+
+}  // namespace umbilic

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Keeps the directions that a metric answers with tangent to a level set of some function of the unknowns.
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+
+namespace umbilic {
+
+/// The projection of M^-1 g on the directions d with a . d = 0 that is orthogonal in the metric M: the solution of
+/// M d + lambda a = g, a . d = 0.
+class TangentProjection {
+ public:
+  /// `a` is the gradient of the function, `solved` is M^-1 a.
+  void set(Eigen::VectorXd a, Eigen::VectorXd solved) {
+    a_ = std::move(a);
+    solved_ = std::move(solved);
+  }
+  /// Of `direction` = M^-1 g.
+  Eigen::VectorXd project(const Eigen::VectorXd& direction) const {
+    return direction - (a_.dot(direction) / a_.dot(solved_)) * solved_;
+  }
+
+ private:
+  Eigen::VectorXd a_, solved_;
+};
+
+}  // namespace umbilic

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// What every function of the contract goes through: no exception leaves it, and what it says of a failure is kept.
+#pragma once
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "wasm/api.h"
+
+namespace umbilic::api {
+
+/// The words of the last failure on this thread.
+const std::string& last_message() noexcept;
+
+/// Remembers the words and returns the status.
+umbilic_status fail(umbilic_status status, std::string_view message) noexcept;
+
+inline umbilic_status fail(const Error& error) noexcept { return fail(UMBILIC_BAD_INPUT, error.message); }
+
+/// Whether all of the caller's pointers are there; otherwise remembers that one is not.
+template <class... Pointers>
+bool all_given(const Pointers*... pointers) noexcept {
+  const bool given = (... && (pointers != nullptr));
+  if (!given) fail(UMBILIC_BAD_ARGUMENT, "a null pointer");
+  return given;
+}
+
+/// Runs `body`, which returns a status.
+template <class Body>
+umbilic_status guarded(const Body& body) noexcept {
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+    return fail(UMBILIC_OUT_OF_MEMORY, "out of memory");
+  } catch (const std::length_error&) {
+    return fail(UMBILIC_OUT_OF_MEMORY, "more than memory can hold");
+  } catch (const std::exception& error) {
+    return fail(UMBILIC_INTERNAL, error.what());
+  } catch (...) {
+    return fail(UMBILIC_INTERNAL, "unknown failure");
+  }
+}
+
+/// Hands out a text that lives until the next one of this thread.
+umbilic_status answer(std::string text, umbilic_text* out) noexcept;
+
+}  // namespace umbilic::api

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The names of the files that are saved.
+ */
+import { stemOf } from '../words/cages.js';
+
+/** @import {State} from '../state/types.js' */
+/** @import {Exportable} from '../worker/protocol.js' */
+
+/**
+ * "two-3-mvs_cross-level2.obj", "two-3-mvs_cross-level2-limit.obj", "two-3-mvs_cross.json"; without the functional
+ * before a run.
+ * @param {State} state
+ * @param {Exportable} what
+ */
+export function fileName(state, what) {
+  const parts = [stemOf(state.cage?.name ?? 'cage')];
+  if (state.samples.length) parts.push(state.runSettings.functional);
+  if (what === 'report') return `${parts.join('-')}.json`;
+  parts.push(`level${state.saved?.state.level ?? 0}`);
+  if (what === 'limit') parts.push('limit');
+  return `${parts.join('-')}.obj`;
+}
