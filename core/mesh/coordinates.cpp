@@ -3,7 +3,8 @@
 /// Orbits of vertices, what their stabilizers leave free, and the products with B.
 #include "mesh/coordinates.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Jacobi>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -15,6 +16,8 @@ using Eigen::Matrix3d;
 /// Where a singular value of S - I counts as zero. Words of rotations are exact to about 1e-13, and the smallest angle
 /// of a rotation is 2 pi / order.
 constexpr double kFixed = 1e-9;
+/// Cosine of the angle between columns that count as orthogonal.
+constexpr double kOrthogonal = 1e-14;
 
 /// The subspace of vectors that isometries fix, spanned by the first `dimension` columns of an orthogonal matrix.
 struct FixedSubspace {
@@ -25,18 +28,34 @@ struct FixedSubspace {
     if (dimension > 0 && (isometry - Matrix3d::Identity()).norm() >= kFixed) intersect_with_another(isometry);
   }
 
+  /// The singular values of S - I on the subspace are the lengths that its columns have when rotations of pairs of them
+  /// (one-sided Jacobi) have made them orthogonal; the same rotations turn the basis.
   /// Seldom, and large: apart from the loop over all vertices, a browser need not compile it well.
   [[gnu::noinline]] void intersect_with_another(const Matrix3d& isometry) {
-    const auto span = basis.leftCols(dimension);
-    const Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> moved = isometry * span - span;
-    if (moved.norm() < kFixed) return;
-    const Eigen::JacobiSVD<Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>> svd(moved, Eigen::ComputeFullV);
-    int rank = 0;
-    while (rank < dimension && svd.singularValues()[rank] >= kFixed) ++rank;
-    basis.leftCols(dimension) = (span * svd.matrixV()).eval();
-    // Singular values decrease: what stays fixed stands last.
-    basis.leftCols(dimension - rank) = basis.middleCols(rank, dimension - rank).eval();
-    dimension -= rank;
+    Matrix3d moved = isometry * basis - basis;
+    for (bool rotated = true; rotated;) {
+      rotated = false;
+      for (int i = 0; i < dimension; ++i) {
+        for (int j = i + 1; j < dimension; ++j) rotated = make_orthogonal(moved, i, j) || rotated;
+      }
+    }
+    int fixed = 0;
+    for (int i = 0; i < dimension; ++i) {
+      if (moved.col(i).norm() < kFixed) basis.col(i).swap(basis.col(fixed++));
+    }
+    dimension = fixed;
+  }
+
+  /// Whether the columns i and j, longer than kFixed, had to be rotated.
+  bool make_orthogonal(Matrix3d& moved, int i, int j) {
+    const double squares = moved.col(i).squaredNorm(), others = moved.col(j).squaredNorm();
+    const double product = moved.col(i).dot(moved.col(j));
+    if (std::abs(product) <= kOrthogonal * std::max(std::sqrt(squares * others), kFixed * kFixed)) return false;
+    Eigen::JacobiRotation<double> rotation;
+    rotation.makeJacobi(squares, product, others);
+    moved.applyOnTheRight(i, j, rotation);
+    basis.applyOnTheRight(i, j, rotation);
+    return true;
   }
 };
 

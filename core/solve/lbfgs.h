@@ -3,6 +3,7 @@
 /// Limited-memory BFGS with an initial metric, driven one evaluation at a time.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>

@@ -22,14 +22,13 @@ Refined skew_cube(int level) {
   return refined(cage, level);
 }
 
-/// Of the energy's gradient, the largest part along a direction, relative to the product of their norms.
+/// The largest derivative of the energy along a direction, relative to the energy: of a surface, not of its mesh.
 double largest_slope(const Refined& mesh, const Weights& weights, const Eigen::MatrixXd& directions) {
   const PatchLayout layout(mesh.mesh, CapKind::kSmooth);
   const JetEvaluator jets(layout, kFewPoints);
   Points gradient;
-  SurfaceEnergy(jets, weights).evaluate(mesh.control, &gradient);
-  const Eigen::VectorXd slopes = directions.transpose() * gradient.reshaped<Eigen::RowMajor>();
-  return slopes.cwiseQuotient(directions.colwise().norm().transpose()).cwiseAbs().maxCoeff() / gradient.norm();
+  const double energy = SurfaceEnergy(jets, weights).evaluate(mesh.control, &gradient).energy;
+  return (directions.transpose() * gradient.reshaped<Eigen::RowMajor>()).cwiseAbs().maxCoeff() / energy;
 }
 
 TEST(Gauge, of_every_functional_holds_the_similarities_along_which_its_gradient_vanishes) {
