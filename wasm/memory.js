@@ -129,6 +129,11 @@ export function call(name, ...args) {
 /** Calls a function that cannot fail. @param {string} name @param {...number} args @returns {number} */
 export const plainCall = (name, ...args) => inModule((module) => module[`_umbilic_${name}`](...args));
 
+/** Frees what a handle holds, unless the module has broken off. @param {string} type @param {number} handle */
+export function destroy(type, handle) {
+  if (handle && !broken) plainCall(`${type}_destroy`, handle);
+}
+
 /** The words of 32 bits that the last call has handed back. @param {number} count */
 const handedBack = (count) => Array.from(core().HEAPU32.subarray(scratch >>> 2, (scratch >>> 2) + count));
 
@@ -241,7 +246,7 @@ export function withMesh(use, name, ...args) {
   try {
     return use(mesh);
   } finally {
-    if (!broken) plainCall('mesh_destroy', mesh);
+    destroy('mesh', mesh);
   }
 }
 

@@ -89,6 +89,7 @@
  *   use of their error
  * @property {boolean} evaluable whether the mesh that was moved is the one that the surface was evaluated on; coarser
  *   ones only prepare the first of these
+ * @property {number} predicted_decrease what the level could still gain when it ended; NaN before the first iteration
  */
 
 /**

@@ -228,6 +228,7 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.evaluations = evaluations();
   report.evaluable = evaluable();
   if (lbfgs_ && lbfgs_->ended()) report.stop = lbfgs_->stop();
+  if (lbfgs_) report.predicted_decrease = lbfgs_->predicted_decrease();
   return report;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,6 +68,7 @@ struct LevelReport {
   int metrics = 0;                                ///< how often the metric was built
   int quadrature = 0;     ///< steps by which its rules became finer than usual, see driver/rules.h
   bool evaluable = true;  ///< whether the moved mesh is the evaluated one; coarser ones only prepare the first of these
+  double predicted_decrease = std::numeric_limits<double>::quiet_NaN();  ///< NaN before the first iteration
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
@@ -83,6 +85,7 @@ struct LevelReport {
     visit("metrics", self.metrics, "How often the metric was built");
     visit("quadrature", self.quadrature, "Steps by which its quadrature rules became finer than usual");
     visit("evaluable", self.evaluable, "Whether the moved mesh is the evaluated one; coarser ones only prepare it");
+    visit("predicted_decrease", self.predicted_decrease, "What the level could still gain when it ended, as predicted");
   }
 };
 
