@@ -104,8 +104,8 @@ Json json_of(const Entry& entry) {
   result["second_family"] = entry.second ? json_of(*entry.second, entry.limit) : Json(nullptr);
   const bool found = entry.status != EntryStatus::kNoneFound;
   result["minimizer"] = found ? Json(entry_name(entry.shape, entry.functional) + ".json") : Json(nullptr);
-  result["level"] = entry.levels.back().level;
-  result["faces"] = entry.levels.back().patches;
+  result["level"] = entry.result.level;
+  result["faces"] = entry.result.patches;
   return result;
 }
 
@@ -121,7 +121,7 @@ Json minimizer_json(const Entry& entry) {
   return {{"shape", entry.shape.name},
           {"functional", entry.functional.name},
           {"cage", cage_json(entry.shape, entry.settings.cage)},
-          {"level", entry.levels.back().level},
+          {"level", entry.result.level},
           {"group", entry.group.name},
           {"points", std::move(points)}};
 }

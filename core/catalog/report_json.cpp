@@ -29,7 +29,8 @@ Json json_of(const LimitReport& limit) {
   return {{"status", std::string(name_of(limit.status))},
           {"energy", limit.energy},
           {"order", limit.order},
-          {"error", limit.error}};
+          {"error", limit.error},
+          {"lower", limit.lower}};
 }
 
 Json json_of(const CertificateReport& certificate) {
@@ -54,6 +55,8 @@ Json json_of(const LevelReport& level) {
               {"metrics", level.metrics},
               {"evaluable", level.evaluable}};
   if (level.quadrature > 0) result["quadrature"] = level.quadrature;
+  if (!level.credible) result["credible"] = false;
+  if (level.thickened) result["thickened"] = true;
   return result;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,13 @@ struct EnergyReport {
   /// there is none).
   double quadrature_error = 0;
   bool whole = true;  ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
+  /// Whether an energy is below what any closed surface of the genus has, see driver/contradiction.h.
+  bool below_bound = false;
+  /// Whether the surface is proved to be embedded: connected, and with its error below Li & Yau's 8 pi of `willmore`.
+  bool embedded = false;
+
+  /// Whether these can be the energies of a surface, and both rules have found some.
+  bool credible() const { return whole && !below_bound && std::isfinite(quadrature_error); }
 };
 
 struct LevelReport {
@@ -37,6 +45,8 @@ struct LevelReport {
   std::string_view metric;  ///< "identity", "sobolev" or "hessian"
   int metrics = 0;          ///< how often the metric was built
   int quadrature = 0;       ///< steps by which its rules became finer than usual, see driver/rules.h
+  bool credible = true;     ///< whether its energies can be a surface's, see EnergyReport
+  bool thickened = false;   ///< whether its start was made thicker, see driver/thickness.h
   bool evaluable = true;  ///< whether the moved mesh is the evaluated one; coarser ones only prepare the first of these
 };
 
@@ -51,8 +61,8 @@ enum class LimitStatus {
   kConverging,     ///< `energy` is the limit to within `error`
   kTooFewLevels,   ///< fewer than three evaluable levels
   kNotMinimized,   ///< one of the last three levels did not converge
-  kNotConverging,  ///< the last three levels are in no asymptotic range: the last energy is an upper bound
-  kNotWhole,       ///< curvature hides between the samples of the last level: its energy is not the surface's
+  kNotConverging,  ///< the last three levels are in no asymptotic range: the least energy is an upper bound
+  kNotWhole,       ///< the last level's energy is not the surface's: curvature hides between its samples
 };
 
 /// "converging", "too_few_levels", "not_minimized", "not_converging", "not_whole".
@@ -67,12 +77,13 @@ constexpr std::string_view name_of(LimitStatus status) {
   return "";
 }
 
-/// See driver/extrapolate.h. Without a limit, `energy` is the last level's and `error` NaN.
+/// See driver/extrapolate.h. Without a limit, `energy` is the least level's, and `error` and `lower` are NaN.
 struct LimitReport {
   LimitStatus status = LimitStatus::kTooFewLevels;
   double energy = 0;
   double order = 0;  ///< observed, NaN where it cannot be told
-  double error = 0;  ///< the true limit is within energy +- error
+  double error = 0;  ///< the true limit is within energy +- error,
+  double lower = 0;  ///< and not below this: energy - error, or the functional's lower bound
 };
 
 /// Whether the surface of a level is a minimum among all surfaces near it, symmetric or not. See driver/certificate.h.
