@@ -113,7 +113,7 @@ const char* umbilic_minimizer_group(const umbilic_minimizer* minimizer, int32_t*
 
 /**
  * limit: energy, observed order (NaN where it cannot be told), error. Returns "converging": the levels' energies tend
- * to energy +- error; or why they tell no limit, with the last level's energy and error NaN: "too_few_levels",
+ * to energy +- error; or why they tell no limit, with the least level's energy and error NaN: "too_few_levels",
  * "not_minimized", "not_converging", "not_whole". Static storage.
  */
 const char* umbilic_minimizer_limit(const umbilic_minimizer* minimizer, double limit[3]);

@@ -8,8 +8,8 @@
 /** @typedef {'auto'|'identity'|'sobolev'|'hessian'} MetricName */
 /** @typedef {'prepare'|'minimize'|'report'|'done'} Phase */
 /**
- * @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'}
- * StopReason
+ * @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'|
+ *   'below_bound'|'not_whole'} StopReason
  */
 
 /**
@@ -63,7 +63,7 @@
 /** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'|'not_whole'} LimitStatus */
 
 /**
- * What the levels say about the limit of their energies. Unless they converge, `energy` is the last level's and `error`
+ * What the levels say about the limit of their energies. Unless they converge, `energy` is the least level's and `error`
  * NaN.
  * @typedef {object} Limit
  * @property {LimitStatus} status

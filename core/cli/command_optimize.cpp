@@ -3,6 +3,7 @@
 /// `umbilic optimize`: a run from a cage to files and tables.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -59,13 +60,18 @@ Result<MetricChoice> parse_metric(const std::string& name) {
   return Error{fmt::format("{} is none of auto, identity, sobolev, hessian", in_quotes(name))};
 }
 
-void minimize(Run& run, const InterruptWatch& watch, bool quiet) {
+/// Returns whether the run has come to its end by itself.
+bool minimize(Run& run, const InterruptWatch& watch, bool quiet) {
   ProgressLine line(quiet);
+  bool by_itself = true;
   while (!run.step(1)) {
     line.update(run);
-    if (watch.interrupted()) run.cancel();
+    if (!watch.interrupted()) continue;
+    run.cancel();
+    by_itself = false;
   }
   line.update(run);
+  return by_itself;
 }
 
 /// What there is to say of a run when it has ended.
@@ -82,7 +88,7 @@ std::string json(const CageFile& input, const OptimizeArguments& arguments, cons
   add_group(report, run.group());
   add_energies(report, run.energies());
   add_limit(report, run.limit());
-  add_levels(report, run.levels());
+  add_levels(report, run.levels(), run.result());
   if (ending.certificate) add_certificate(report, *ending.certificate);
   return to_text(report);
 }
@@ -94,8 +100,8 @@ std::string table(const CageFile& input, const OptimizeArguments& arguments, con
                      group_words(run.group())) +
          level_table(run.levels()) + limit_line(run.limit()) +
          (ending.certificate ? certificate_line(*ending.certificate, run.group()) : "") +
-         "energies of the last level\n" + energy_table(run.energies(), arguments.objective.words()) +
-         gauss_bonnet_line(run.energies());
+         result_line(run.levels(), run.result()) + energy_table(run.energies(), arguments.objective.words()) +
+         credibility_lines(run.energies());
 }
 
 /// Nothing when the user interrupts.
@@ -142,13 +148,17 @@ int run(const OptimizeArguments& arguments) {
   auto run = Run::create(input->cage, arguments.options);
   if (!run) return fail(kBadInput, fmt::format("{}: {}", input->name, run.error().message));
   const InterruptWatch watch;  // also while the results are written: they are what the run was for
-  minimize(*run, watch, arguments.quiet);
+  const bool by_itself = minimize(*run, watch, arguments.quiet);
   Ending ending{*run, std::nullopt};
-  int exit_code = kEnded;
+  int exit_code = by_itself ? kEnded : kInterrupted;
+  if (by_itself && !(run->energies().credible() && std::isfinite(run->result().energy_reported))) {
+    exit_code = kNotCredible;
+  }
   if (arguments.certify && !watch.interrupted()) {
     const Result<std::optional<CertificateReport>> certificate = certify(*run, watch);
     if (certificate) {
       ending.certificate = *certificate;
+      if (!*certificate) exit_code = kInterrupted;
     } else {
       exit_code = fail(kBadInput, certificate.error().message);
     }
@@ -239,8 +249,8 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
                     "Tell whether the result is a local minimum among all surfaces, symmetric or not");
   command->add_flag("-q,--quiet", arguments->quiet, "No progress on standard error");
   command->footer(
-      "Where a result goes to - (standard output), no table is printed. Ctrl-C ends the run and keeps the best\n"
-      "surface so far; a second Ctrl-C ends the program.\n\n" +
+      "Where a result goes to - (standard output), no table is printed. Ctrl-C ends the run, keeps the best\n"
+      "surface so far and exits with 130; a second Ctrl-C ends the program.\n\n" +
       functional_help());
   command->callback([arguments, &exit_code] {
     require_objective(arguments->objective);

@@ -51,9 +51,15 @@ void add_energies(Json& report, const EnergyReport& energies) {
   report["instruction_set"] = std::string(name_of(instruction_set()));
   report["energies"] = json_of(energies);
   report["quadrature_error"] = energies.quadrature_error;
+  report["whole"] = energies.whole;
+  report["below_bound"] = energies.below_bound;
+  report["embedded"] = energies.embedded;
 }
 
-void add_levels(Json& report, const std::vector<LevelReport>& levels) { report["levels"] = json_of(levels); }
+void add_levels(Json& report, const std::vector<LevelReport>& levels, const LevelReport& result) {
+  report["result_level"] = result.level;
+  report["levels"] = json_of(levels);
+}
 void add_group(Json& report, const GroupReport& group) { report["group"] = json_of(group); }
 void add_limit(Json& report, const LimitReport& limit) { report["extrapolated"] = json_of(limit); }
 

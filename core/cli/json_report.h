@@ -20,10 +20,10 @@ Json json_report(const CageFile& input);
 /// Adds "functional" or "weights".
 void add_objective(Json& report, const Objective& objective);
 void add_cap(Json& report, CapKind cap);
-/// Adds "energies" and "quadrature_error".
+/// Adds "energies", "quadrature_error", "whole", "below_bound" and "embedded".
 void add_energies(Json& report, const EnergyReport& energies);
-/// Adds "levels".
-void add_levels(Json& report, const std::vector<LevelReport>& levels);
+/// Adds "levels", and as "result_level" the number of the one whose surface is the result.
+void add_levels(Json& report, const std::vector<LevelReport>& levels, const LevelReport& result);
 /// Adds "group".
 void add_group(Json& report, const GroupReport& group);
 /// Adds "extrapolated".

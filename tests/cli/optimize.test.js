@@ -41,7 +41,11 @@ describe('a run', () => {
       'instruction_set',
       'energies',
       'quadrature_error',
+      'whole',
+      'below_bound',
+      'embedded',
       'extrapolated',
+      'result_level',
       'levels',
     ]);
     expect(report).toMatchObject({
@@ -238,12 +242,12 @@ describe('a terminal', () => {
 });
 
 describe('Ctrl-C', () => {
-  test('ends the run, keeps the results and counts as an end with a result', async () => {
+  test('ends the run, keeps the results and has a code of its own', async () => {
     const line = 'optimize large.obj --functional mvs_cross --levels 0..4 -o kept.obj --report kept.json';
     const running = start(line.split(' '), scratch.folder);
     await running.says(/^level 0: .*\n/);
     running.child.kill('SIGINT');
-    expect(await running.ended).toEqual({ code: 0, signal: null });
+    expect(await running.ended).toEqual({ code: 130, signal: null });
     const report = JSON.parse(scratch.read('kept.json'));
     expect(report.levels.at(-1).stop).toBe('cancelled');
     expect(report.levels[0].stop).not.toBe('cancelled');

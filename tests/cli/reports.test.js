@@ -75,6 +75,9 @@ describe('evaluate', () => {
       'instruction_set',
       'energies',
       'quadrature_error',
+      'whole',
+      'below_bound',
+      'embedded',
       'levels',
     ]);
     expect(Object.keys(report.energies)).toEqual(energyNames);
