@@ -9,8 +9,8 @@
 /** @typedef {'auto'|'identity'|'sobolev'|'hessian'} MetricName */
 /** @typedef {'prepare'|'minimize'|'report'|'done'} Phase */
 /**
- * @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'}
- * StopReason
+ * @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'|
+ *   'below_bound'|'not_whole'} StopReason
  */
 
 /* ---- what is asked ---- */
@@ -89,24 +89,28 @@
  *   use of their error
  * @property {boolean} evaluable whether the mesh that was moved is the one that the surface was evaluated on; coarser
  *   ones only prepare the first of these
+ * @property {boolean} credible whether its energies can be those of a surface
+ * @property {boolean} thickened whether its start was made thicker, because its curvature hid between the samples
  * @property {number} predicted_decrease what the level could still gain when it ended; NaN before the first iteration
  */
 
 /**
  * The symmetry that a run keeps: its Schoenflies symbol, C1 where there is none, and its order.
- * @typedef {{name: string, order: number}} Group
+ * `incomplete` says why there may be more symmetry than this.
+ * @typedef {{name: string, order: number, incomplete?: string}} Group
  */
 
 /** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'|'not_whole'} LimitStatus */
 
 /**
- * What the levels say about the limit of their energies. Unless they converge, `energy` is the last level's and `error`
+ * What the levels say about the limit of their energies. Unless they converge, `energy` is the least level's and `error`
  * NaN.
  * @typedef {object} Limit
  * @property {LimitStatus} status
  * @property {number} energy
  * @property {number} order observed; NaN where it cannot be told
  * @property {number} error the limit is within energy ± error
+ * @property {number} lower the limit is not below this: energy − error, or the least that a closed surface has
  */
 
 /**
@@ -119,13 +123,18 @@
  */
 
 /**
- * NaN where a quantity diverges; `whole` is false where curvature hides between the samples.
- * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number> & {whole: boolean}} Energies
+ * NaN where a quantity diverges. `whole` is false where curvature hides between the samples; `below_bound` is true where an energy
+ * is below what any closed surface of the genus has; `embedded` is true where the Willmore energy proves that the surface does not
+ * touch itself. `input_rounding`, of a cage far from the origin, is by how much, relatively, the rounding of its coordinates may
+ * change each functional.
+ * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number> & {whole: boolean, below_bound: boolean,
+ *   embedded: boolean, input_rounding?: Record<FunctionalName, number>}} Energies
  */
 
 /**
  * @typedef {{vertices: number, edges: number, faces: number, genus: number}} CageComponent
- * @typedef {CageComponent & {components: CageComponent[]}} CageReport
+ * `repairs` has a sentence for all that was changed when the cage was read.
+ * @typedef {CageComponent & {components: CageComponent[], repairs: string[]}} CageReport
  */
 
 /**

@@ -98,8 +98,8 @@ Json json_of(const Entry& entry) {
   result["second_family"] = entry.second ? json_of(*entry.second, entry.limit) : Json(nullptr);
   const bool found = entry.status != EntryStatus::kNoneFound;
   result["minimizer"] = found ? Json(entry_name(entry.shape, entry.functional) + ".json") : Json(nullptr);
-  result["level"] = entry.levels.back().level;
-  result["faces"] = entry.levels.back().patches;
+  result["level"] = entry.result.level;
+  result["faces"] = entry.result.patches;
   return result;
 }
 
@@ -121,7 +121,7 @@ std::string minimizer_text(const Entry& entry, std::string_view version) {
   report.limit = entry.limit;
   report.energies = entry.energies;
   report.certificate = entry.certificate;
-  report.surface = SurfaceState{entry.levels.back().level, entry.orbit_points};
+  report.surface = SurfaceState{entry.result.level, entry.orbit_points};
   return report_text(report, JsonPrinter::Layout::kCompact);
 }
 

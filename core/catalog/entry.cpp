@@ -72,7 +72,7 @@ Result<Run> create_run(const CatalogShape& shape, const EntrySettings& settings,
 std::string reason_of(const LimitReport& limit, const std::vector<LevelReport>& levels) {
   switch (limit.status) {
     case LimitStatus::kConverging: return "";
-    case LimitStatus::kNotWhole: return "curvature hides between the samples of the last level";
+    case LimitStatus::kNotWhole: return "the last level's energies are not its surface's";
     case LimitStatus::kTooFewLevels: return "three levels are needed to tell a limit";
     case LimitStatus::kNotMinimized:
       for (const LevelReport& level : levels) {
@@ -91,14 +91,14 @@ std::string reason_of(const LimitReport& limit, const std::vector<LevelReport>& 
 }
 
 void judge(Entry& entry) {
-  const double last = entry.levels.back().energy_reported;
-  entry.energy = last;
-  if (!std::isfinite(last)) {
+  const double least = entry.result.energy_reported;
+  entry.energy = least;
+  if (!std::isfinite(least)) {
     entry.status = EntryStatus::kNoneFound;
     entry.reason = "no surface of finite energy was found";
-  } else if (entry.limit.status == LimitStatus::kNotWhole) {
+  } else if (!entry.energies.credible()) {
     entry.status = EntryStatus::kNoneFound;
-    entry.reason = reason_of(entry.limit, entry.levels);
+    entry.reason = "no level has energies that can be a surface's";
   } else if (entry.exact && entry.exact->energy == 0) {
     entry.status = EntryStatus::kZeroAttained;
     entry.energy = 0;
@@ -107,9 +107,9 @@ void judge(Entry& entry) {
     entry.status = EntryStatus::kInfimumNotAttained;
     entry.energy = entry.exact->energy;
     entry.reason = entry.exact->source;
-  } else if (entry.limit.status == LimitStatus::kConverging && entry.limit.error > kWidestError * last) {
+  } else if (entry.limit.status == LimitStatus::kConverging && entry.limit.error > kWidestError * least) {
     entry.status = EntryStatus::kUpperBound;
-    entry.reason = fmt::format("the levels leave an error of {:.2g} %", 100 * entry.limit.error / last);
+    entry.reason = fmt::format("the levels leave an error of {:.2g} %", 100 * entry.limit.error / least);
   } else if (entry.limit.status == LimitStatus::kConverging) {
     entry.status = EntryStatus::kConverged;
     entry.energy = entry.limit.energy;
@@ -146,6 +146,7 @@ std::optional<Entry> compute_entry(const CatalogShape& shape, const CatalogFunct
   entry.exact = exact_energy(shape, functional);
   entry.group = run.group();
   entry.energies = run.energies();
+  entry.result = run.result();
   entry.levels = run.levels();
   entry.limit = run.limit();
   entry.certificate = computation.certificate();

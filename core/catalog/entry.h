@@ -42,12 +42,13 @@ struct Entry {
   std::optional<double> paper;
   std::optional<ExactEnergy> exact;
   GroupReport group;
-  EnergyReport energies;  ///< of the last level's minimizer
+  EnergyReport energies;  ///< of the best level's minimizer
+  LevelReport result;     ///< that level
   std::vector<LevelReport> levels;
   LimitReport limit;
   std::optional<CertificateReport> certificate;
   std::optional<SecondFamily> second;
-  Points orbit_points;  ///< of the last level's minimizer, see driver/symmetric_cage.h
+  Points orbit_points;  ///< of the best level's minimizer, see driver/symmetric_cage.h
 };
 
 /// Says where a computation stands and returns whether it is to go on.

@@ -25,9 +25,9 @@ int run_command_line(int argc, const char* const* argv) {
   });
   app.footer(
       "CAGE is an OBJ or OFF file of a closed polygon mesh, or - for standard input.\n"
-      "Exit codes: 0 ended with a result, 1 check-gradient or catalog --check found a mismatch, 2 bad usage, 3 bad "
-      "input, 4 cannot "
-      "write.");
+      "Exit codes: 0 ended with a result, 1 check-gradient or catalog --check found a mismatch, 2 bad usage,\n"
+      "3 bad input, 4 cannot write, 5 the energies are not the surface's (evaluate, optimize), 130 interrupted, with\n"
+      "what there was written.");
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a failed write like any other
   int exit_code = kEnded;
   add_instruction_set_option(app);

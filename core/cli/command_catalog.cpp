@@ -63,7 +63,8 @@ class Session {
       return !watch.interrupted() && !failed_;
     });
     if (failed_) return fail(kCannotWrite, error_);
-    if (!all && arguments_.check) return fail(kBadInput, "interrupted before all was compared");
+    if (!all && arguments_.check) return fail(kInterrupted, "interrupted before all was compared");
+    if (!all) return kInterrupted;
     if (!arguments_.check) return kEnded;
     if (!print(fmt::format("{} compared, {} differ\n", compared_, different_))) return kCannotWrite;
     return different_ > 0 ? kMismatch : kEnded;

@@ -43,8 +43,9 @@ int run(const EvaluateArguments& arguments) {
                                                 fmt::format("level {}, {} patches, cap {}\n", evaluation->level,
                                                             evaluation->patches, name_of(arguments.cap)) +
                                                 energy_table(evaluation->energies, "bending") +
-                                                gauss_bonnet_line(evaluation->energies);
-  return print(text) ? kEnded : kCannotWrite;
+                                                credibility_lines(evaluation->energies);
+  if (!print(text)) return kCannotWrite;
+  return evaluation->energies.credible() ? kEnded : kNotCredible;
 }
 
 }  // namespace

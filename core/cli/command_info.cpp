@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "cli/arguments.h"
 #include "cli/cage_shape.h"
 #include "cli/commands.h"
 #include "cli/console.h"

@@ -3,6 +3,7 @@
 /// `umbilic optimize`: a run from a cage to files and tables.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -67,13 +68,18 @@ Result<double> parse_tolerance(const std::string& text) {
 
 Result<int> parse_iterations(const std::string& text) { return parse_count(text, 0, std::numeric_limits<int>::max()); }
 
-void minimize(Run& run, const InterruptWatch& watch, bool quiet) {
+/// Returns whether the run has come to its end by itself.
+bool minimize(Run& run, const InterruptWatch& watch, bool quiet) {
   ProgressLine line(quiet);
+  bool by_itself = true;
   while (!run.step(1)) {
     line.update(run);
-    if (watch.interrupted()) run.cancel();
+    if (!watch.interrupted()) continue;
+    run.cancel();
+    by_itself = false;
   }
   line.update(run);
+  return by_itself;
 }
 
 /// What there is to say of a run when it has ended.
@@ -98,7 +104,8 @@ std::string table(const Ending& ending) {
          fmt::format("minimized {}, cap {}, {}\n", objective, name_of(options.cap), group_words(run.group())) +
          level_table(run.levels()) + limit_line(run.limit()) +
          (ending.certificate ? certificate_line(*ending.certificate, run.group()) : "") +
-         "energies of the last level\n" + energy_table(run.energies(), objective) + gauss_bonnet_line(run.energies());
+         result_line(run.levels(), run.result()) + energy_table(run.energies(), objective) +
+         credibility_lines(run.energies());
 }
 
 /// Nothing when the user interrupts.
@@ -162,13 +169,17 @@ int run(const OptimizeArguments& arguments) {
   auto run = begin_run(file->problem);
   if (!run) return fail(kBadInput, run.error().message);
   const InterruptWatch watch;  // also while the results are written: they are what the run was for
-  minimize(run->run, watch, arguments.quiet);
+  const bool by_itself = minimize(run->run, watch, arguments.quiet);
   Ending ending{file->cage, *run, std::nullopt};
-  int exit_code = kEnded;
+  int exit_code = by_itself ? kEnded : kInterrupted;
+  if (by_itself && !(run->run.energies().credible() && std::isfinite(run->run.result().energy_reported))) {
+    exit_code = kNotCredible;
+  }
   if (arguments.certify && !watch.interrupted()) {
     const Result<std::optional<CertificateReport>> certificate = certify(run->run, watch);
     if (certificate) {
       ending.certificate = *certificate;
+      if (!*certificate) exit_code = kInterrupted;
     } else {
       exit_code = fail(kBadInput, certificate.error().message);
     }
@@ -268,8 +279,8 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
   command->add_flag("-q,--quiet", arguments->quiet, "No progress on standard error");
   command->footer(
       "Options change what the file of a problem says.\n"
-      "Where a result goes to - (standard output), no table is printed. Ctrl-C ends the run and keeps the best\n"
-      "surface so far; a second Ctrl-C ends the program.\n\n" +
+      "Where a result goes to - (standard output), no table is printed. Ctrl-C ends the run, keeps the best\n"
+      "surface so far and exits with 130; a second Ctrl-C ends the program.\n\n" +
       functional_help());
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

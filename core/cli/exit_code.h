@@ -6,11 +6,17 @@
 namespace umbilic::cli {
 
 enum ExitCode {
-  kEnded = 0,        ///< with a result, also when the run was interrupted
+  kEnded = 0,        ///< with a result
   kMismatch = 1,     ///< check-gradient and catalog --check only: numbers disagree
   kBadUsage = 2,     ///< the command line makes no sense
   kBadInput = 3,     ///< the cage cannot be read, or not be used as asked
   kCannotWrite = 4,  ///< a result could not be written
+  /// The energies are not finite, or not the surface's: below a bound that holds for every closed surface, or with
+  /// curvature hidden between the samples. Everything is written all the same.
+  kNotCredible = 5,
+  /// optimize and catalog: ended by SIGINT or SIGTERM before their time; what there was is written. As a shell has it
+  /// of a program that SIGINT ends.
+  kInterrupted = 130,
 };
 
 }  // namespace umbilic::cli

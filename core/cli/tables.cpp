@@ -78,11 +78,27 @@ std::string energy_table(const EnergyReport& energies, const std::string& object
   return text + input_rounding_lines(energies);
 }
 
-std::string gauss_bonnet_line(const EnergyReport& energies) {
-  return energies.whole
-             ? ""
-             : "warning: the Gaussian curvature does not add up to 2 pi times the Euler characteristic: some "
-               "hides in folds or necks,\nand these energies are not the surface's\n";
+std::string credibility_lines(const EnergyReport& energies) {
+  std::string text;
+  if (energies.below_bound) {
+    text +=
+        "warning: no closed surface of this genus has so little bending or Willmore energy: these energies are not the "
+        "surface's\n";
+  }
+  if (!energies.whole) {
+    text +=
+        "warning: the Gaussian curvature does not add up to 2 pi times the Euler characteristic: some "
+        "hides in folds or necks,\nand these energies are not the surface's\n";
+  }
+  if (energies.embedded) {
+    text += "embedded: with a Willmore energy below 8 pi no surface touches or crosses itself (Li & Yau 1982)\n";
+  }
+  return text;
+}
+
+std::string result_line(const std::vector<LevelReport>& levels, const LevelReport& result) {
+  if (result.level == levels.back().level) return "energies of the last level\n";
+  return fmt::format("energies of level {}, which is better than the last one\n", result.level);
 }
 
 std::string level_table(const std::vector<LevelReport>& levels) {
@@ -92,6 +108,11 @@ std::string level_table(const std::vector<LevelReport>& levels) {
     text += fmt::format("  {:>5} {:>8} {:>9} {:>16.10g} {:>10} {:>11} {:>8.2f}  {:<8}  {}\n", level.level,
                         level.patches, level.unknowns, level.energy_reported, level.iterations, level.evaluations,
                         level.seconds, name_of(level.metric), name_of(level.stop));
+  }
+  for (const LevelReport& level : levels) {
+    if (!level.thickened) continue;
+    text +=
+        fmt::format("  level {} began thicker than it was: its samples missed curvature of its rims\n", level.level);
   }
   return text;
 }
@@ -107,7 +128,11 @@ std::string limit_line(const LimitReport& limit) {
       const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(limit.error))), 0, 12);
       const std::string order =
           std::isfinite(limit.order) ? fmt::format("observed order {:.1f}", limit.order) : "the last levels agree";
-      return fmt::format("extrapolated {:.{}f} +- {:.{}f} ({})\n", limit.energy, places, limit.error, places, order);
+      const std::string cut = limit.lower > limit.energy - limit.error
+                                  ? fmt::format(", but not below {:.7g}, as no surface is", limit.lower)
+                                  : "";
+      return fmt::format("extrapolated {:.{}f} +- {:.{}f} ({}){}\n", limit.energy, places, limit.error, places, order,
+                         cut);
     }
     case LimitStatus::kTooFewLevels: return "not extrapolated: too few levels; three are needed\n";
     case LimitStatus::kNotMinimized: return "not extrapolated: one of the last three levels did not converge\n";

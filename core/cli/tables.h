@@ -20,8 +20,10 @@ std::string energy_table(const EnergyReport& energies, const std::string& object
 
 /// "symmetry D3h, order 12".
 std::string group_words(const GroupReport& group);
-/// Why energies are not to be believed; empty where they are.
-std::string gauss_bonnet_line(const EnergyReport& energies);
+/// What the energies prove of the surface, or why they are not to be believed; empty where there is nothing to say.
+std::string credibility_lines(const EnergyReport& energies);
+/// "energies of the last level", or of the level that is better.
+std::string result_line(const std::vector<LevelReport>& levels, const LevelReport& result);
 /// The limit with its error bar, or why there is none.
 std::string limit_line(const LimitReport& limit);
 /// Whether the surface is a local minimum; `group` is the symmetry that it was minimized in.

@@ -12,7 +12,25 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-LimitReport no_limit(LimitStatus status, double energy, double order) { return {status, energy, order, kNaN}; }
+LimitReport no_limit(LimitStatus status, double energy, double order) { return {status, energy, order, kNaN, kNaN}; }
+
+/// The least of those that can be a surface's, or the last where none can.
+double least_energy(const std::vector<LevelEnergy>& levels) {
+  double least = kNaN;
+  for (const LevelEnergy& level : levels) {
+    if (level.whole && !(level.energy >= least)) least = level.energy;
+  }
+  return std::isnan(least) ? levels.back().energy : least;
+}
+
+LimitReport limit_above(double bound, double energy, double order, double error) {
+  const double upper = energy + error;
+  if (energy < bound) {
+    energy = bound;
+    error = std::max(upper - bound, 0.0);
+  }
+  return {LimitStatus::kConverging, energy, order, error, std::max(energy - error, bound)};
+}
 
 /// Of three levels: functionals of third order may fall slowly along surfaces that never settle.
 bool settles(const LevelEnergy* levels) {
@@ -41,23 +59,23 @@ double left_by_elements(const std::vector<LevelEnergy>& levels, double elements)
 
 }  // namespace
 
-LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order) {
+LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order, double lower_bound) {
   if (levels.empty()) return no_limit(LimitStatus::kTooFewLevels, kNaN, kNaN);
-  const double last = levels.back().energy;
-  if (!levels.back().whole) return no_limit(LimitStatus::kNotWhole, last, kNaN);
-  if (levels.size() < 3) return no_limit(LimitStatus::kTooFewLevels, last, kNaN);
+  const double last = levels.back().energy, least = least_energy(levels);
+  if (!levels.back().whole) return no_limit(LimitStatus::kNotWhole, least, kNaN);
+  if (levels.size() < 3) return no_limit(LimitStatus::kTooFewLevels, least, kNaN);
   const LevelEnergy* three = &levels[levels.size() - 3];
   const bool minimized = std::all_of(three, three + 3, [](const LevelEnergy& l) { return l.minimized; });
   const double before = three[0].energy - three[1].energy, decrease = three[1].energy - last;
   double order = observed_order(before, decrease);
-  if (!minimized) return no_limit(LimitStatus::kNotMinimized, last, order);
+  if (!minimized) return no_limit(LimitStatus::kNotMinimized, least, order);
 
   const double uncertainty = three[1].uncertainty + three[2].uncertainty;
   const bool agree = std::abs(decrease) <= uncertainty;
   if (agree) {
     order = kNaN;
   } else if (!(order >= kLeastOrder) || (third_order && !settles(three))) {
-    return no_limit(LimitStatus::kNotConverging, last, order);
+    return no_limit(LimitStatus::kNotConverging, least, order);
   }
   const double elements = third_order ? 2 : 4;
   double correction = left_by_elements(levels, elements);
@@ -65,7 +83,7 @@ LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order
     correction = agree ? 0 : decrease / (std::exp2(std::min(order, elements)) - 1);
   }
   const double error = std::max(std::abs(decrease) - correction, correction) + uncertainty;
-  return {LimitStatus::kConverging, last - correction, order, error};
+  return limit_above(lower_bound, last - correction, order, error);
 }
 
 }  // namespace umbilic

@@ -15,6 +15,12 @@
 /// 4^q / (2^q - 1).
 ///
 /// The error is the distance to the farther end, plus what the optimizer and the quadrature leave.
+///
+/// No surface is below the functional's lower bound (energy/lower_bounds.h), and so no limit: one that is extrapolated
+/// below moves up to the bound, and its error is then the distance to the upper end, which stays. What a bar has below
+/// the bound is cut off: `lower` is where it ends.
+///
+/// Without a limit the least energy of a whole level stands in for it, as an upper bound.
 #pragma once
 
 #include <vector>
@@ -29,7 +35,7 @@ struct LevelEnergy {
   double uncertainty = 0;  ///< of the minimization and the quadrature
   double bending = 0;      ///< of the same surface
   bool minimized = true;
-  bool whole = true;  ///< as EnergyReport has it
+  bool whole = true;  ///< whether the energy can be the surface's: EnergyReport::credible
 };
 
 /// Least observed order at which three levels are believed to be in their asymptotic range.
@@ -40,6 +46,6 @@ inline constexpr double kSettlingFraction = 0.5;
 inline constexpr double kSettledFraction = 0.01;
 
 /// `levels` are evaluable ones, in order; `third_order` whether the functional has a part of third order.
-LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order);
+LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order, double lower_bound = 0);
 
 }  // namespace umbilic

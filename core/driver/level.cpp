@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include "driver/gauss_bonnet.h"
 #include "driver/rules.h"
+#include "driver/thickness.h"
 #include "optimize/hessian_metric.h"
 #include "optimize/sobolev.h"
 
@@ -55,6 +57,12 @@ MetricChoice choose(const LevelOptions& options, const Surface& surface, int unk
   return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
 }
 
+/// Whether a reason says that there is little left to gain, which what cannot be the surface's energy says nothing of.
+bool claims_a_minimum(StopReason reason) {
+  return reason == StopReason::kConverged || reason == StopReason::kRoundOff ||
+         reason == StopReason::kLineSearchStalled;
+}
+
 Unknowns unknowns_of(const RefinedCage& cage, const Coordinates& coordinates, const Surface& surface) {
   if (surface.level() == cage.level) return Unknowns(coordinates);
   Refinement step = catmull_clark(cage.mesh);
@@ -94,8 +102,26 @@ void Level::start() {
 
 void Level::prepare() {
   objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.mesh().euler_characteristic(),
-                                                  surface_.start());
+                                                  surface_.start(), surface_.lower_bound());
   if (!start_energy_) start_energy_ = objective_->start_energy();
+  if (!start_is_in_question()) prepare_metric();
+}
+
+bool Level::start_is_in_question() const {
+  return !objective_->start_is_whole() && options_.max_iterations > 0 && !thicker_ &&
+         thicknesses_tried_ < kThicknessRatios.size();
+}
+
+void Level::try_thicker_start() {
+  const double ratio = kThicknessRatios[thicknesses_tried_++];
+  const Points thicker = thickened(start_.control, find_components(start_.mesh), ratio);
+  const Eigen::VectorXd unknowns = coordinates_.unknowns(thicker);
+  const EnergyValue value = surface_.energy().evaluate(unknowns_.control(unknowns), nullptr);
+  const double defect = gauss_bonnet_defect(value.gaussian, surface_.mesh().euler_characteristic());
+  if (defect <= kThickDefect && std::isfinite(value.energy)) thicker_ = coordinates_.control(unknowns);
+}
+
+void Level::prepare_metric() {
   if (metric_choice_ == MetricChoice::kIdentity) return;
   make_metric();
   rebuild_metric();
@@ -127,6 +153,11 @@ bool Level::step() {
     prepare();
     return false;
   }
+  if (!lbfgs_ && start_is_in_question()) {
+    try_thicker_start();
+    if (!start_is_in_question()) prepare_metric();
+    return false;
+  }
   if (lbfgs_ && !building_ && metric_is_stale()) {
     if (options_.metric == MetricChoice::kAutomatic && metric_is_in_vain()) {
       metric_choice_ = MetricChoice::kSobolev;
@@ -149,7 +180,10 @@ bool Level::step() {
     start();
     return false;
   }
-  return lbfgs_->step() && !goes_on();
+  const int iterations = lbfgs_->iterations();
+  const bool ended = lbfgs_->step();
+  if (lbfgs_->iterations() > iterations) objective_->accept();
+  return ended && !goes_on();
 }
 
 /// Whether convergence is not to be believed yet: in a metric that can become better, or in a slow valley above where
@@ -210,6 +244,18 @@ std::unique_ptr<Level> Level::with_finer_rule() const {
   auto level = std::make_unique<Level>(best_cage(), surface_.level(), options);
   level->before_ = {iterations(), evaluations(), before_.metrics + metrics_, energy(), gradient_norm()};
   level->start_energy_ = start_energy_;
+  level->thicknesses_tried_ = kThicknessRatios.size();
+  level->thickened_ = thickened_;
+  return level;
+}
+
+std::unique_ptr<Level> Level::with_thicker_start() const {
+  if (!thicker_) return nullptr;
+  RefinedCage start = start_;
+  start.control = *thicker_;
+  auto level = std::make_unique<Level>(std::move(start), surface_.level(), options_);
+  level->thicknesses_tried_ = kThicknessRatios.size();
+  level->thickened_ = true;
   return level;
 }
 
@@ -227,8 +273,17 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.iterations = iterations();
   report.evaluations = evaluations();
   report.evaluable = evaluable();
+  report.thickened = thickened_;
+  report.credible = energies.credible();
   if (lbfgs_ && lbfgs_->ended()) report.stop = lbfgs_->stop();
   if (lbfgs_) report.predicted_decrease = lbfgs_->predicted_decrease();
+  if (claims_a_minimum(report.stop)) {
+    if (energies.below_bound) {
+      report.stop = StopReason::kBelowBound;
+    } else if (!energies.whole) {
+      report.stop = StopReason::kNotWhole;
+    }
+  }
   return report;
 }
 

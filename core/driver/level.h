@@ -51,6 +51,9 @@ class Level {
   bool needs_finer_rule(const EnergyReport& energies) const;
   /// The level's continuation from its best surface, by rules one step finer.
   std::unique_ptr<Level> with_finer_rule() const;
+  /// The level with a thicker start, where the samples miss curvature of its own and see all of that one; see
+  /// driver/thickness.h. Null otherwise.
+  std::unique_ptr<Level> with_thicker_start() const;
 
   bool preparing() const { return !lbfgs_; }
   int number() const { return start_.level; }
@@ -79,6 +82,9 @@ class Level {
 
  private:
   void prepare();
+  void prepare_metric();
+  bool start_is_in_question() const;
+  void try_thicker_start();
   void start();
   void make_metric();
   void rebuild_metric();
@@ -99,6 +105,9 @@ class Level {
   std::unique_ptr<SurfaceMetric> metric_;        // null for the identity
   bool building_ = false;
   std::unique_ptr<Lbfgs> lbfgs_;
+  std::size_t thicknesses_tried_ = 0;  // of kThicknessRatios
+  std::optional<Points> thicker_;      // points of `start_` whose curvature the samples see
+  bool thickened_ = false;             // whether `start_` are such points
   int metric_iteration_ = 0, metrics_ = 0;
   int vain_metrics_ = 0;                // the latest in a row that predict nothing
   std::optional<double> start_energy_;  // of the level's first surface by its first rule

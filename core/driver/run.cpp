@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "driver/extrapolate.h"
 #include "driver/level.h"
@@ -20,10 +21,32 @@
 
 namespace umbilic {
 
+namespace {
+
+/// A level that has ended, with what ranks it among the others.
+struct EndedLevel {
+  std::unique_ptr<Level> level;
+  LevelReport report;
+  EnergyReport energies;
+
+  /// The less, the better a result it is. Energies that may be the surface's come before those that hide curvature, and
+  /// these before those that are below a bound; then the least one counts.
+  std::tuple<int, bool, double> rank() const {
+    const double energy = report.energy_reported;
+    if (!std::isfinite(energy) || !std::isfinite(energies.quadrature_error)) return {3, !report.evaluable, 0};
+    if (energies.below_bound) return {2, !report.evaluable, 0};
+    return {energies.whole ? 0 : 1, !report.evaluable, energy};
+  }
+};
+
+}  // namespace
+
 struct Run::State {
   RunOptions options;
   int required_level = 0;  // the first that can be evaluated
   std::unique_ptr<Level> level;
+  std::optional<EndedLevel> best;  // of the levels before `level`, as far as there are any
+  std::size_t result = 0;          // the index of the best level, once the run is done
   std::vector<LevelReport> levels;
   std::vector<LevelEnergy> energies_of_levels;  // of the evaluable ones
   Progress progress;
@@ -87,7 +110,9 @@ struct Run::State {
         update_progress();
         const bool stays = progress.energy == before || (std::isnan(progress.energy) && std::isnan(before));
         if (!stays) energies.reset();
-        if (level->rule_is_in_question() && level->needs_finer_rule(report_energies())) take_finer_rule();
+        if (auto thicker = level->with_thicker_start()) replace_level(std::move(thicker));
+        if (level->rule_is_in_question() && level->needs_finer_rule(report_energies()))
+          replace_level(level->with_finer_rule());
         break;
       }
       case Phase::kReport: end_level(); break;
@@ -95,35 +120,43 @@ struct Run::State {
     }
   }
 
-  void take_finer_rule() {
-    level = level->with_finer_rule();
+  void replace_level(std::unique_ptr<Level> other) {
+    level = std::move(other);
     energies.reset();
     progress.phase = Phase::kPrepare;
     update_progress();
   }
 
   void end_level() {
-    levels.push_back(level->report(report_energies()));
+    const EnergyReport report_of_ended = report_energies();
+    levels.push_back(level->report(report_of_ended));
     progress.ended_levels = static_cast<int>(levels.size());
     const LevelReport& report = levels.back();
     if (report.evaluable) {
       const bool minimized =
           (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
       const double left = options.tolerance * std::max(report.energy_reported, kEnergyFloor);
-      energies_of_levels.push_back({report.energy_reported, left + report_energies().quadrature_error,
-                                    report_energies().functionals[kBending], minimized, report_energies().whole});
+      energies_of_levels.push_back({report.energy_reported, left + report_of_ended.quadrature_error,
+                                    report_of_ended.functionals[kBending], minimized, report_of_ended.credible()});
     }
     const bool last =
         cancelled || level->number() >= options.last_level || levels.back().stop == StopReason::kNotFinite;
-    if (last) {
-      progress.phase = Phase::kDone;
-      return;
+    std::optional<RefinedCage> finer;
+    if (!last) finer = refine(level->best_cage(), 1);
+    EndedLevel ended{std::move(level), report, report_of_ended};
+    if (!best || ended.rank() <= best->rank()) {
+      best = std::move(ended);
+      result = levels.size() - 1;
     }
-    const RefinedCage finer = refine(level->best_cage(), 1);
-    level = std::make_unique<Level>(finer, std::max(finer.level, required_level), level_options());
-    energies.reset();
-    progress.phase = Phase::kPrepare;
-    update_progress();
+    if (last) {
+      level = std::move(best->level);
+      energies = best->energies;
+      written.reset();
+      progress.phase = Phase::kDone;
+      update_progress();
+    } else {
+      replace_level(std::make_unique<Level>(*finer, std::max(finer->level, required_level), level_options()));
+    }
   }
 };
 
@@ -186,6 +219,7 @@ void Run::cancel() {
 const Progress& Run::progress() const { return state_->progress; }
 int Run::patches() const { return state_->level->surface().mesh().face_count(); }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
+const LevelReport& Run::result() const { return state_->levels[state_->result]; }
 const EnergyReport& Run::energies() const { return state_->written_energies(); }
 
 GroupReport Run::group() const {
@@ -195,7 +229,10 @@ GroupReport Run::group() const {
   return report;
 }
 
-LimitReport Run::limit() const { return extrapolate(state_->energies_of_levels, third_order(state_->options.weights)); }
+LimitReport Run::limit() const {
+  return extrapolate(state_->energies_of_levels, third_order(state_->options.weights),
+                     state_->level->surface().lower_bound());
+}
 
 Result<Certificate> Run::certify() const {
   const Level& level = *state_->level;

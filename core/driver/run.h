@@ -2,6 +2,13 @@
 /// \file
 /// One run: a cage, refined level by level and minimized on each, that can be stepped, watched, cancelled and read at
 /// any time.
+///
+/// Its result is the best surface of all levels. Levels are not nested, as caps shrink from one to the next, so that an
+/// energy can rise: a little in ordinary runs, much on rough cages, where a finer level shows curvature that the one
+/// before missed. Of the levels whose energies can be a surface's (driver/contradiction.h) the one with the least
+/// energy by the reporting rule is the result; where there is none, of those that only miss curvature; and of evaluable
+/// levels before those that prepare the first of them. While the run goes on, "the best surface so far" is that of the
+/// current level.
 #pragma once
 
 #include <memory>
@@ -44,8 +51,11 @@ class Run {
 
   const Progress& progress() const;
 
-  /// Faces of the mesh that the current level's surface is evaluated on.
+  /// Faces of the mesh that the current level's surface is evaluated on, or the result's.
   int patches() const;
+
+  /// The level whose surface is the result. The run is done; then `progress` is that of this level, too.
+  const LevelReport& result() const;
 
   /// The levels ended so far, in order.
   const std::vector<LevelReport>& levels() const;

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <limits>
 
+#include "driver/contradiction.h"
 #include "driver/gauss_bonnet.h"
+#include "mesh/components.h"
 #include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
 
@@ -83,6 +85,7 @@ bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Erro
 
 Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quadrature)
     : cage_(std::move(cage)),
+      genera_(find_components(cage_.mesh).genera),
       weights_(weights),
       quadrature_(quadrature),
       layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry)) {}
@@ -104,14 +107,33 @@ EnergyReport Surface::report(const Points& control) const {
   report.functionals = integrals.functionals;
   report.area = std::ldexp(integrals.area, 2 * placement().exponent);
   report.gaussian = integrals.gaussian;
-  report.whole = gauss_bonnet_defect(report.gaussian, mesh().euler_characteristic()) <= kLargestDefect;
+  const double defect = gauss_bonnet_defect(report.gaussian, mesh().euler_characteristic());
+  report.whole = defect <= kLargestDefect;
   if (layout_.cap() == CapKind::kNone && !layout_.caps().empty()) {
     for (int i = 0; i < kFunctionalCount; ++i) {
       if (is_third_order(i)) report.functionals[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
-  report.quadrature_error = std::abs(objective(report) - energy().evaluate(control, nullptr).energy);
+  const EnergyValue minimized = energy().evaluate(control, nullptr);
+  report.quadrature_error = std::abs(objective(report) - minimized.energy);
+
+  const double willmore = report.functionals[kWillmore];
+  const double error = defect + std::abs(willmore - willmore_by_minimizing_rule(control, minimized));
+  Weights willmore_alone{};
+  willmore_alone[kWillmore] = 1;
+  report.below_bound = below(lower_bound(), objective(report), report.quadrature_error) ||
+                       below(umbilic::lower_bound(willmore_alone, genera_), willmore, error);
+  report.embedded = genera_.size() == 1 && report.whole && !report.below_bound && willmore + error < kEmbeddedWillmore;
   return report;
+}
+
+/// `value` is that of the weighted functional. Of a part of second order a B + b W = a (4 W - 2 integral of K) + b W.
+double Surface::willmore_by_minimizing_rule(const Points& control, const EnergyValue& value) const {
+  const double a = weights_[kBending], b = weights_[kWillmore];
+  if (a + b > 0) return (value.second + 2 * a * value.gaussian) / (4 * a + b);
+  Weights willmore_alone{};
+  willmore_alone[kWillmore] = 1;
+  return SurfaceEnergy(jets(), willmore_alone).evaluate(control, nullptr).energy;
 }
 
 double Surface::objective(const EnergyReport& report) const {

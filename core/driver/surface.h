@@ -5,9 +5,11 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "cage/placement.h"
 #include "driver/rules.h"
+#include "energy/lower_bounds.h"
 #include "energy/surface_energy.h"
 #include "mesh/symmetry.h"
 #include "problem/report.h"
@@ -63,6 +65,11 @@ class Surface {
   const JetEvaluator& jets() const;
   const SurfaceEnergy& energy() const;
 
+  /// Of each component.
+  const std::vector<int>& genera() const { return genera_; }
+  /// Of the weighted functional, see energy/lower_bounds.h.
+  double lower_bound() const { return umbilic::lower_bound(weights_, genera_); }
+
   /// All energies by the reporting rule, the area in the cage's own units; the quadrature error is that of the weighted
   /// functional.
   EnergyReport report(const Points& control) const;
@@ -70,7 +77,10 @@ class Surface {
   double objective(const EnergyReport& report) const;
 
  private:
+  double willmore_by_minimizing_rule(const Points& control, const EnergyValue& value) const;
+
   RefinedCage cage_;
+  std::vector<int> genera_;
   Weights weights_;
   int quadrature_;
   PatchLayout layout_;

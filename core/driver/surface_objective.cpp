@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "driver/contradiction.h"
 #include "driver/gauss_bonnet.h"
 
 namespace umbilic {
@@ -14,23 +15,35 @@ namespace {
 /// A patch whose area element falls below this fraction of the mean is about to collapse.
 constexpr double kSmallestRegularity = 1e-9;
 
+/// By how much a defect that is too large may exceed that of the point before. Without it a double cover of a sphere,
+/// whose defect stays at 4 pi, could not move at all.
+constexpr double kDefectSlack = 2;
+
 }  // namespace
 
 SurfaceObjective::SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, int euler_characteristic,
-                                   const Points& start)
+                                   const Points& start, double lower_bound)
     : energy_(energy), unknowns_(unknowns), euler_characteristic_(euler_characteristic) {
   const EnergyValue value = energy.evaluate(start, nullptr);
+  const double defect = gauss_bonnet_defect(value.gaussian, euler_characteristic);
   start_energy_ = value.energy;
-  largest_defect_ = std::max(kLargestDefect, 2 * gauss_bonnet_defect(value.gaussian, euler_characteristic));
+  least_energy_ = std::min((1 - kMostAllowed) * lower_bound, start_energy_);
+  start_is_whole_ = defect <= kLargestDefect;
+  largest_defect_ = std::max(kLargestDefect, kDefectSlack * defect);
 }
 
 void SurfaceObjective::evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const {
   unknowns_.control(unknowns, control_);
   const EnergyValue value = energy_.evaluate(control_, &gradient_);
-  const bool whole = gauss_bonnet_defect(value.gaussian, euler_characteristic_) <= largest_defect_;
-  result.value = whole ? value.energy : std::numeric_limits<double>::infinity();
+  last_defect_ = gauss_bonnet_defect(value.gaussian, euler_characteristic_);
+  const bool credible = last_defect_ <= largest_defect_ && value.energy >= least_energy_;
+  result.value = credible ? value.energy : std::numeric_limits<double>::infinity();
   unknowns_.pull_back(gradient_, result.gradient);
   result.degenerate = !(value.regularity > kSmallestRegularity);
+}
+
+void SurfaceObjective::accept() const {
+  largest_defect_ = std::max(kLargestDefect, std::min(largest_defect_, kDefectSlack * last_defect_));
 }
 
 }  // namespace umbilic

@@ -11,22 +11,30 @@ namespace umbilic {
 
 /// Where the integral of the Gaussian curvature leaves 2 pi times the Euler characteristic, curvature hides between the
 /// samples, as in the necks of a surface that falls apart, and the energy there is not the surface's: it counts as
-/// infinite.
+/// infinite, so that the line search steps back. So does an energy far below what any closed surface has. A start that
+/// is itself at fault counts as it is, and what follows may be little worse.
 class SurfaceObjective : public Objective {
  public:
   /// `energy` and `unknowns` outlive the objective. The start is always finite where its energy is.
-  SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, int euler_characteristic,
-                   const Points& start);
+  SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, int euler_characteristic, const Points& start,
+                   double lower_bound = 0);
 
   void evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const override;
 
+  /// The optimizer has gone to the point that was evaluated last: from now on none may have a much larger defect.
+  void accept() const;
+
   double start_energy() const { return start_energy_; }
+  /// Whether the samples see all curvature of the start.
+  bool start_is_whole() const { return start_is_whole_; }
 
  private:
   const SurfaceEnergy& energy_;
   const Unknowns& unknowns_;
   int euler_characteristic_;
-  double start_energy_, largest_defect_;
+  double start_energy_, least_energy_;
+  bool start_is_whole_;
+  mutable double largest_defect_, last_defect_ = 0;
   mutable Points control_, gradient_;
 };
 

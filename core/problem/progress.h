@@ -23,7 +23,7 @@ constexpr std::string_view name_of(Phase phase) {
 
 struct Progress {
   Phase phase = Phase::kPrepare;
-  int level = 0;
+  int level = 0;  ///< the current one, or the result's when the run is done
   int ended_levels = 0;
   int iterations = 0;         ///< in this level
   int evaluations = 0;        ///< in this level

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -40,6 +41,13 @@ struct EnergyReport {
   /// driver/input_rounding.h.
   std::optional<FunctionalValues> input_rounding{};
   bool whole = true;  ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
+  /// Whether an energy is below what any closed surface of the genus has, see driver/contradiction.h.
+  bool below_bound = false;
+  /// Whether the surface is proved to be embedded: connected, and with its error below Li & Yau's 8 pi of `willmore`.
+  bool embedded = false;
+
+  /// Whether these can be the energies of a surface, and both rules have found some.
+  bool credible() const { return whole && !below_bound && std::isfinite(quadrature_error); }
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
@@ -50,6 +58,8 @@ struct EnergyReport {
     visit("gaussian", self.gaussian, "Integral of the Gaussian curvature");
     visit("quadrature_error", self.quadrature_error, "By how much the reporting and the minimizing rule differ");
     visit("whole", self.whole, "Whether the Gaussian curvature is that of a closed surface");
+    visit("below_bound", self.below_bound, "Whether an energy is below what any closed surface of the genus has");
+    visit("embedded", self.embedded, "Whether the Willmore energy proves that the surface does not touch itself");
     visit("input_rounding", self.input_rounding, "Relative changes by the rounding of a cage far from the origin");
   }
 };
@@ -66,7 +76,9 @@ struct LevelReport {
   StopReason stop = StopReason::kConverged;
   MetricChoice metric = MetricChoice::kIdentity;  ///< the one that was used, never kAutomatic
   int metrics = 0;                                ///< how often the metric was built
-  int quadrature = 0;     ///< steps by which its rules became finer than usual, see driver/rules.h
+  int quadrature = 0;      ///< steps by which its rules became finer than usual, see driver/rules.h
+  bool credible = true;    ///< whether its energies can be a surface's, see EnergyReport
+  bool thickened = false;  ///< whether its start was made thicker, see driver/thickness.h
   bool evaluable = true;  ///< whether the moved mesh is the evaluated one; coarser ones only prepare the first of these
   double predicted_decrease = std::numeric_limits<double>::quiet_NaN();  ///< NaN before the first iteration
 
@@ -85,6 +97,9 @@ struct LevelReport {
     visit("metrics", self.metrics, "How often the metric was built");
     visit("quadrature", self.quadrature, "Steps by which its quadrature rules became finer than usual");
     visit("evaluable", self.evaluable, "Whether the moved mesh is the evaluated one; coarser ones only prepare it");
+    visit("credible", self.credible, "Whether its energies can be those of a surface");
+    visit("thickened", self.thickened,
+          "Whether its start was made thicker, because its curvature hid between the samples");
     visit("predicted_decrease", self.predicted_decrease, "What the level could still gain when it ended, as predicted");
   }
 };
@@ -109,8 +124,8 @@ enum class LimitStatus {
   kConverging,     ///< `energy` is the limit to within `error`
   kTooFewLevels,   ///< fewer than three evaluable levels
   kNotMinimized,   ///< one of the last three levels did not converge
-  kNotConverging,  ///< the last three levels are in no asymptotic range: the last energy is an upper bound
-  kNotWhole,       ///< curvature hides between the samples of the last level: its energy is not the surface's
+  kNotConverging,  ///< the last three levels are in no asymptotic range: the least energy is an upper bound
+  kNotWhole,       ///< the last level's energy is not the surface's: curvature hides between its samples
 };
 
 /// "converging", "too_few_levels", "not_minimized", "not_converging", "not_whole".
@@ -125,19 +140,21 @@ constexpr std::string_view name_of(LimitStatus status) {
   return "";
 }
 
-/// See driver/extrapolate.h. Without a limit, `energy` is the last level's and `error` NaN.
+/// See driver/extrapolate.h. Without a limit, `energy` is the least level's, and `error` and `lower` are NaN.
 struct LimitReport {
   LimitStatus status = LimitStatus::kTooFewLevels;
   double energy = 0;
   double order = 0;  ///< observed, NaN where it cannot be told
-  double error = 0;  ///< the true limit is within energy +- error
+  double error = 0;  ///< the true limit is within energy +- error,
+  double lower = 0;  ///< and not below this: energy - error, or the functional's lower bound
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("status", self.status, "Whether the levels tell a limit, or why they do not");
-    visit("energy", self.energy, "The limit, or the last level's energy");
+    visit("energy", self.energy, "The limit, or the least level's energy");
     visit("order", self.order, "Observed order of convergence, null where it cannot be told");
     visit("error", self.error, "The limit is within energy +- error; null where there is none");
+    visit("lower", self.lower, "The limit is not below this; null where there is none");
   }
 };
 

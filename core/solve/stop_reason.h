@@ -15,9 +15,13 @@ enum class StopReason {
   kNotFinite,          ///< the value is not finite at the start
   kDegenerate,         ///< the objective calls its last point degenerate
   kCancelled,
+  // Not the optimizer's own, but what is found of the point where it ended:
+  kBelowBound,  ///< the energy is below what any closed surface has: it is not the surface's
+  kNotWhole,    ///< curvature hides between the samples: the energy is not the surface's
 };
 
-/// "converged", "max_iterations", "line_search_stalled", "round_off", "not_finite", "degenerate", "cancelled".
+/// "converged", "max_iterations", "line_search_stalled", "round_off", "not_finite", "degenerate", "cancelled",
+/// "below_bound", "not_whole".
 constexpr std::string_view name_of(StopReason reason) {
   switch (reason) {
     case StopReason::kConverged: return "converged";
@@ -27,6 +31,8 @@ constexpr std::string_view name_of(StopReason reason) {
     case StopReason::kNotFinite: return "not_finite";
     case StopReason::kDegenerate: return "degenerate";
     case StopReason::kCancelled: return "cancelled";
+    case StopReason::kBelowBound: return "below_bound";
+    case StopReason::kNotWhole: return "not_whole";
   }
   return "";
 }

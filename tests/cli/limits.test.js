@@ -67,10 +67,15 @@ describe('the limit', () => {
       energy: expect.any(Number),
       order: expect.any(Number),
       error: expect.any(Number),
+      lower: expect.any(Number),
     });
     expect(Math.abs(limit.energy - 8 * Math.PI ** 2)).toBeLessThan(limit.error);
-    const [, energy, error, order] =
-      /^extrapolated (\S+) \+- (\S+) \(observed order (\S+)\)$/m.exec(tableOf(line)) ?? [];
+    expect(limit.lower).toBeCloseTo(8 * Math.PI ** 2, 12); // where the bar is cut
+    const [, energy, error, order, bound] =
+      /^extrapolated (\S+) \+- (\S+) \(observed order (\S+)\), but not below (\S+), as no surface is$/m.exec(
+        tableOf(line),
+      ) ?? [];
+    expect(Number(bound)).toBeCloseTo(8 * Math.PI ** 2, 4);
     expect(Math.abs(Number(energy) - limit.energy)).toBeLessThan(limit.error / 10);
     expect(Math.abs(Number(error) / limit.error - 1)).toBeLessThan(0.1);
     expect(Number(order)).toBeCloseTo(limit.order, 1);
@@ -99,17 +104,85 @@ describe('the limit', () => {
 
 describe('a surface that folds flat', () => {
   // A square from both sides: the curvature of its rim is a fold that no sample sees.
-  const square = [-1, 1].flatMap((x) => [-1, 1].map((y) => `v ${x} ${y} 0`)).join('\n');
+  const square = (/** @type {number} */ size) =>
+    [-size, size].flatMap((x) => [-size, size].map((y) => `v ${x} ${y} 0`)).join('\n');
   const faces = ['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'].map((f) => `f ${f}`).join('\n');
-  const input = `${square}\n${square}\n${faces}\n`;
+  const input = `${square(1)}\n${square(0.9)}\n${faces}\n`;
   const warning = 'warning: the Gaussian curvature does not add up to 2 pi times the Euler characteristic';
 
   test('has energies that are not believed', () => {
-    expect(umbilic(['evaluate', '-'], { input }).out).toContain(warning);
-    const { out } = umbilic('optimize - --functional bending --levels 0..2 -q'.split(' '), { input });
+    const evaluated = umbilic(['evaluate', '-'], { input });
+    expect(evaluated).toMatchObject({ code: 5, out: expect.stringContaining(warning) });
+    const { code, out } = umbilic('optimize - --functional bending --levels 0..2 -q'.split(' '), { input });
+    expect(code).toBe(5);
     expect(out).toContain("\nnot extrapolated: the last level's energy is not the surface's\n");
     expect(out).toContain(warning);
+    expect(out).toContain('warning: no closed surface of this genus has so little bending or Willmore energy');
+    expect(out.match(/ below_bound$/gm)).toHaveLength(3);
     expect(outputOf(['evaluate', 'frame.obj'], scratch)).not.toContain('warning');
+  });
+
+  test('is written all the same, with what it violates', () => {
+    const { code } = umbilic('optimize - --functional mvs --levels 0 -q --report flat.json'.split(' '), {
+      input,
+      folder: scratch.folder,
+    });
+    expect(code).toBe(5);
+    const report = JSON.parse(scratch.read('flat.json'));
+    expect(report.energies).toMatchObject({ whole: false, below_bound: true, embedded: false });
+    expect(report.levels[0]).toMatchObject({ stop: 'below_bound', credible: false });
+  });
+});
+
+describe('a thin plate', () => {
+  const corners = [-1, 1].flatMap((z) => [-1, 1].flatMap((y) => [-1, 1].map((x) => `v ${x} ${y} ${0.003 * z}`)));
+  const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '2 4 8 6', '4 3 7 8', '3 1 5 7'].map((f) => `f ${f}`);
+  const input = [...corners, ...faces, ''].join('\n');
+
+  test('becomes a sphere, and is told to have begun thicker', () => {
+    const { code, out } = umbilic('optimize - --functional bending --levels 0..2 -q'.split(' '), { input });
+    expect(code).toBe(0);
+    expect(out).toContain('level 0 began thicker than it was: its samples missed curvature of its rims');
+    expect(Number(/bending +(\S+)/.exec(out.split('energies of')[1])?.[1]) / (8 * Math.PI)).toBeCloseTo(1, 3);
+  });
+
+  test('as it is has energies that are not its own', () => {
+    expect(umbilic(['evaluate', '-'], { input }).code).toBe(5);
+    expect(umbilic('optimize - --functional bending --max-iterations 0 -q'.split(' '), { input }).code).toBe(5);
+  });
+});
+
+describe('noise as long as the edges', () => {
+  test('ends with the best of its levels, which is named', () => {
+    const torus = outputOf(['cage', 'torus'], scratch);
+    let state = 1;
+    const noise = () => (state = (state * 16807) % 2147483647) / 2147483647 - 0.5;
+    const input = torus.replace(/^v .*$/gm, (line) =>
+      line.replace(/-?\d[\d.e-]*/g, (number) => String(Number(number) + noise())),
+    );
+    const line = 'optimize - --functional bending --levels 0..2 --max-iterations 3 -q -o best.obj';
+    const run = (/** @type {string} */ more) => umbilic(`${line}${more}`.split(' '), { input, folder: scratch.folder });
+    const { levels, surface, energies } = JSON.parse(run(' --report -').out);
+    const resultLevel = surface.level;
+    const candidates = levels.filter((/** @type {any} */ l) => l.credible !== false);
+    const least = Math.min(
+      ...(candidates.length ? candidates : levels).map((/** @type {any} */ l) => l.energy_reported),
+    );
+    expect(energies.bending).toBe(least);
+    expect(levels[resultLevel].energy_reported).toBe(least);
+    if (resultLevel < 2)
+      expect(run('').out).toContain(`energies of level ${resultLevel}, which is better than the last`);
+    const again = JSON.parse(umbilic(['evaluate', 'best.obj', '--json'], scratch).out);
+    expect(Math.abs(again.energies.bending / least - 1)).toBeLessThan(1e-12);
+  });
+});
+
+describe('embeddedness', () => {
+  test('is told where the Willmore energy proves it', () => {
+    const line = 'optimize torus.obj --functional bending --levels 0 -q';
+    expect(outputOf(line.split(' '), scratch)).toContain('\nembedded: with a Willmore energy below 8 pi no surface');
+    expect(jsonOf(`${line} --report -`.split(' '), scratch).embedded).toBe(true);
+    expect(outputOf(['evaluate', 'large.obj'], scratch)).not.toContain('embedded');
   });
 });
 
@@ -161,7 +234,7 @@ describe('--certify', () => {
     const running = start(line.split(' '), scratch.folder);
     await running.says(/^level 0: .*\n/);
     running.child.kill('SIGINT');
-    expect(await running.ended).toEqual({ code: 0, signal: null });
+    expect(await running.ended).toEqual({ code: 130, signal: null });
     const report = JSON.parse(scratch.read('cut.json'));
     expect(report.levels.at(-1).stop).toBe('cancelled');
     expect(report.certificate).toBeUndefined();

@@ -102,5 +102,7 @@ export const stopWords = {
   not_finite: 'not finite',
   degenerate: 'surface collapsed',
   cancelled: 'cancelled',
+  below_bound: 'below any surface’s energy',
+  not_whole: 'curvature hidden between samples',
   interrupted: 'interrupted',
 };

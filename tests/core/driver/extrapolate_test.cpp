@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace umbilic {
 namespace {
@@ -140,11 +141,19 @@ TEST(Extrapolate, adds_what_minimization_and_quadrature_leave_of_the_last_two_le
   EXPECT_NEAR(extrapolate(levels, true).error, exact + 3e-3, 1e-12);
 }
 
+double least_energy(const std::vector<LevelEnergy>& levels) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const LevelEnergy& level : levels) {
+    if (level.whole) least = std::min(least, level.energy);
+  }
+  return std::isfinite(least) ? least : levels.back().energy;
+}
+
 void expect_refused(const std::vector<LevelEnergy>& levels, LimitStatus status, bool third_order = true) {
   const LimitReport limit = extrapolate(levels, third_order);
   EXPECT_EQ(name_of(limit.status), name_of(status));
   if (!levels.empty()) {
-    EXPECT_EQ(limit.energy, levels.back().energy) << "the last energy stands in for the limit";
+    EXPECT_EQ(limit.energy, least_energy(levels)) << "the least energy stands in for the limit";
   }
   EXPECT_TRUE(std::isnan(limit.error));
 }
@@ -194,6 +203,29 @@ TEST(Extrapolate, refuses_third_order_energies_of_surfaces_whose_changes_do_not_
   expect_refused(with_bending(100, 110, 116), LimitStatus::kNotConverging);
   EXPECT_EQ(extrapolate(with_bending(100, 110, 115), true).status, LimitStatus::kConverging);
   EXPECT_EQ(extrapolate(with_bending(100, 100, 100.9), true).status, LimitStatus::kConverging) << "less than a percent";
+}
+
+TEST(Extrapolate, moves_a_limit_below_the_bound_up_to_it_and_keeps_the_upper_end) {
+  // mvs of a thin torus, whose infimum is 0.
+  const std::vector<LevelEnergy> levels{{378.919, 0, 100, true}, {66.270, 0, 100, true}, {14.410, 0, 100, true}};
+  const LimitReport free = extrapolate(levels, true, -1e9), limit = extrapolate(levels, true, 0);
+  ASSERT_EQ(limit.status, LimitStatus::kConverging);
+  EXPECT_LT(free.energy, 0);
+  EXPECT_EQ(limit.energy, 0);
+  EXPECT_EQ(limit.lower, 0);
+  EXPECT_EQ(limit.order, free.order);
+  EXPECT_NEAR(limit.energy + limit.error, free.energy + free.error, 1e-12);
+}
+
+TEST(Extrapolate, cuts_off_what_a_bar_has_below_the_bound) {
+  const auto levels = sequence(100, 1, 2);
+  const LimitReport free = extrapolate(levels, true);
+  EXPECT_EQ(free.lower, free.energy - free.error);
+  const double bound = free.energy - free.error / 3;
+  const LimitReport limit = extrapolate(levels, true, bound);
+  EXPECT_EQ(limit.energy, free.energy);
+  EXPECT_EQ(limit.error, free.error);
+  EXPECT_EQ(limit.lower, bound);
 }
 
 TEST(Extrapolate, takes_levels_that_agree_within_their_uncertainty_as_the_limit) {

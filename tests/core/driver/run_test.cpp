@@ -104,9 +104,14 @@ TEST(Run, keeps_its_best_surface_when_cancelled_at_any_moment) {
     const Points before = run.control_mesh().vertices;
     const int level = run.progress().level;
     const bool ended_by_itself = run.progress().phase == Phase::kReport;
+    const double energy = run.energies().functionals[kBending];
     run.cancel();
-    EXPECT_EQ(run.control_mesh().vertices, before);
     ASSERT_FALSE(run.levels().empty());
+    if (run.result().level == level) {
+      EXPECT_EQ(run.control_mesh().vertices, before);
+    } else {  // the level has not come below the one before yet
+      EXPECT_LT(run.energies().functionals[kBending], energy);
+    }
     if (!ended_by_itself) {
       EXPECT_EQ(run.levels().back().stop, StopReason::kCancelled);
     }

@@ -76,6 +76,44 @@ TEST(SurfaceObjective, of_another_genus_than_the_surfaces_starts_finite_all_the_
   EXPECT_TRUE(std::isfinite(torus.evaluate(objective, torus.surface.start()).value));
 }
 
+TEST(SurfaceObjective, is_infinite_far_below_what_any_surface_has_unless_the_start_is_lower) {
+  const Free torus(*generate_cage("torus"), 0);
+  const Points& start = torus.surface.start();
+  const Points fatter = generate_cage("torus", {.ratio = 0.65})->vertices;
+  const double energy = torus.surface.energy().evaluate(start, nullptr).energy;
+  const auto value = [&](double bound) {
+    const SurfaceObjective objective(torus.surface.energy(), torus.unknowns, 0, start, bound);
+    return torus.evaluate(objective, fatter).value;
+  };
+  ASSERT_TRUE(std::isfinite(value(0)));
+  ASSERT_LT(value(0), energy);
+  EXPECT_EQ(value(value(0)), value(0));
+  EXPECT_EQ(value(1.005 * value(0)), value(0)) << "what quadrature may miss";
+  EXPECT_TRUE(std::isinf(value(1.02 * value(0))));
+  EXPECT_TRUE(std::isinf(value(2 * energy))) << "below its start";
+}
+
+TEST(SurfaceObjective, admits_ever_smaller_defects_of_a_start_that_hides_curvature) {
+  const Points better = generate_cage("torus")->vertices;
+  Cage noisy = *generate_cage("torus");
+  noisy.vertices += Random(3).points(better.rows());
+  const Free surface(noisy, 0);
+  const Points& start = surface.surface.start();
+  const auto defect = [&](const Points& control) {
+    return std::abs(surface.surface.energy().evaluate(control, nullptr).gaussian);
+  };
+  ASSERT_GT(defect(start), 1);
+  ASSERT_LT(defect(better), 1e-6);
+  const SurfaceObjective objective = surface.objective(0, start);
+  EXPECT_FALSE(objective.start_is_whole());
+  EXPECT_TRUE(std::isfinite(surface.evaluate(objective, better).value));
+  EXPECT_TRUE(std::isfinite(surface.evaluate(objective, start).value));
+  surface.evaluate(objective, better);
+  objective.accept();
+  EXPECT_TRUE(std::isfinite(surface.evaluate(objective, better).value));
+  EXPECT_TRUE(std::isinf(surface.evaluate(objective, start).value));
+}
+
 RunOptions only_bending(int first, int last) {
   RunOptions options;
   options.weights = kBendingOnly;
