@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Orbits of vertices, what their stabilizers leave free, and the products with B.
+/// Orbits of vertices, the directions that their stabilizers leave free, and products with B.
 #include "mesh/coordinates.h"
 
 #include <Eigen/SVD>
@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/// Where a singular value of S - I counts as zero. Words of rotations are exact to about 1e-13, and the smallest angle
-/// of a rotation is 2 pi / order.
+/// Singular values of S - I below this count as zero. Products of generators are exact to about 1e-13; a rotation of
+/// order n has singular values 2 sin(pi / n), far above.
 constexpr double kFixed = 1e-9;
 
 /// The subspace of vectors that isometries fix, spanned by the first `dimension` columns of an orthogonal matrix.
@@ -25,7 +25,8 @@ struct FixedSubspace {
     if (dimension > 0 && (isometry - Matrix3d::Identity()).norm() >= kFixed) intersect_with_another(isometry);
   }
 
-  /// Seldom, and large: apart from the loop over all vertices, a browser need not compile it well.
+  /// Called rarely, but large once inlined. Kept out of the loop over all vertices, so that a browser need not optimize
+  /// it.
   [[gnu::noinline]] void intersect_with_another(const Matrix3d& isometry) {
     const auto span = basis.leftCols(dimension);
     const Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> moved = isometry * span - span;
@@ -34,7 +35,7 @@ struct FixedSubspace {
     int rank = 0;
     while (rank < dimension && svd.singularValues()[rank] >= kFixed) ++rank;
     basis.leftCols(dimension) = (span * svd.matrixV()).eval();
-    // Singular values decrease: what stays fixed stands last.
+    // Singular values decrease, so the fixed directions are the last columns.
     basis.leftCols(dimension - rank) = basis.middleCols(rank, dimension - rank).eval();
     dimension -= rank;
   }
@@ -52,7 +53,7 @@ Coordinates::Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group) : 
   std::vector<std::vector<int>> images;
   for (const Symmetry& generator : group.generators) images.push_back(vertex_images(mesh, generator.map));
 
-  // R_w maps the first vertex of an orbit to vertex w: `basis` until the orbit is complete.
+  // R_w maps the first vertex of an orbit to vertex w. rows_[w].basis holds R_w until the orbit is complete.
   std::vector<bool> reached(vertex_count_, false);
   std::vector<int> orbit;
   for (int first = 0; first < vertex_count_; ++first) {
@@ -155,7 +156,7 @@ Points Coordinates::control_from_orbits(const Points& points) const {
     const Rows& rows = rows_[first_of_orbit_[i]];
     const Vector3 point = points.row(i).transpose() - offset_;
     for (int k = 0; k < rows.dimension; ++k) {
-      const auto column = rows.basis.col(k);  // of length 1/sqrt(orbit's size)
+      const auto column = rows.basis.col(k);  // its length is 1/sqrt(orbit size)
       unknowns[rows.first + k] = column.dot(point) / column.squaredNorm();
     }
   }
