@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the details say of an entry: facts with their terms, its energies under every functional, and its levels.
+ * @file The parts of an entry's details: a list of facts, its energies under every functional, and its levels.
  */
 import { entryName } from '../../../address/compare.js';
 import { element } from '../../../views/dom.js';
@@ -15,18 +15,18 @@ import { compact, counted, significant, upperBound, whole, withError } from '../
 
 /** @typedef {NonNullable<ReturnType<typeof findEntry>>} Found */
 
-/** Below this, an energy is round-off. */
+/** An energy below this is rounding error. */
 const ROUND_OFF = 1e-9;
-/** Below this, the integral of the Gaussian curvature is zero by the error of its quadrature. */
+/** An integral of the Gaussian curvature below this is zero within the quadrature error. */
 const INTEGRAL_ERROR = 1e-6;
-/** Digits of energies, and of what mathematics has. */
+/** Number of digits of energies, and of energies known in theory. */
 const ENERGY_DIGITS = 8;
 const EXACT_DIGITS = 9;
 
 /** @param {string} term @param {...(Node | string)} value */
 const fact = (term, ...value) => element('div', {}, element('dt', {}, term), element('dd', {}, ...value));
 
-/** What is known of an entry besides its energy. @param {Found} found @param {CatalogStart[]} starts of the catalog @returns {HTMLElement[]} */
+/** The facts about an entry besides its energy. @param {Found} found @param {CatalogStart[]} starts all of the catalog @returns {HTMLElement[]} */
 export function facts({ entry, shape }, starts) {
   const { group, certificate, second_family: second, limit, paper, exact, energy, settings } = entry;
   const list = [fact('Genus', String(shape.genus))];
@@ -81,7 +81,7 @@ function energyRow(name, formula, value, objective) {
   );
 }
 
-/** Its surface's energies under every functional. @param {CatalogEntry} entry @param {CatalogFunctional} functional @returns {HTMLElement[]} */
+/** The energies of an entry's surface under every functional. @param {CatalogEntry} entry @param {CatalogFunctional} functional @returns {HTMLElement[]} */
 export function energyTable({ energies }, functional) {
   const parts = Object.entries(functional.weights);
   const rows = functionals.map(({ id, name, formula }) =>
