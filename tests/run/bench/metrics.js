@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What each choice of the optimizer's metric gains: the same runs in the identity, Sobolev's and the Hessian's.
+ * @file What each metric of the optimizer gains: the same runs with the identity, the Sobolev and the Hessian metric.
  */
 import { benchRun } from './programs.js';
 import { digits } from './tables.js';
