@@ -71,7 +71,7 @@ export function createOrbit(element, { moved, rested }) {
       place(next);
     },
 
-    /** Brings the whole surface into the view, from where the camera is. */
+    /** Fits the surface into the view; keeps the camera's direction. */
     fit: () => place({ ...now(), distance: 1, target: firstCamera.target }),
 
     /** Sets the aspect ratio of the picture; a surface that fits it still does. @param {number} aspect width / height */

@@ -15,7 +15,7 @@ const REFINE_AFTER = 350;
  * @param {HTMLCanvasElement} canvas fills its parent; its `data-picture` is `old`, `coarse` or `fine`
  * @param {object} options
  * @param {boolean} options.slow drawn without graphics hardware
- * @param {(renderer: WebGLRenderer) => void} options.draw the whole picture
+ * @param {(renderer: WebGLRenderer) => void} options.draw draws a picture
  * @param {(width: number, height: number) => void} options.resized called with CSS pixels before the first picture of a
  *   new size
  * @param {() => void} [options.prepare] before each requested picture; may request the next one

@@ -41,9 +41,9 @@ export function createPanes(canvas, { calm, slow, rested }) {
 
   /** Where a pane is on the canvas, in CSS pixels, from its bottom left corner. @param {Pane} pane */
   function boxOf({ place }) {
-    const whole = canvas.getBoundingClientRect();
+    const frame = canvas.getBoundingClientRect();
     const { left, bottom, width, height } = place.getBoundingClientRect();
-    return { left: left - whole.left, bottom: whole.bottom - bottom, width, height };
+    return { left: left - frame.left, bottom: frame.bottom - bottom, width, height };
   }
 
   const painter = createPainter(canvas, {

@@ -4,7 +4,7 @@
  * are no longer shown change nothing.
  */
 import { SAMPLE_SIZE } from '../worker/protocol.js';
-import { whole } from '../words/numbers.js';
+import { integer } from '../words/numbers.js';
 import { afterEntryOpened, endedWith, openWithout, showsEntry } from './entry.js';
 import { beginOpening, firstGenerator, openGenerated } from './opening.js';
 import { settingsFrom, sourceOf } from './settings.js';
@@ -250,7 +250,7 @@ function afterRun(state, idle, title, detail) {
   const started = state.samples.length > 0 || state.status === 'running';
   const kept =
     started && state.saved
-      ? `The surface after ${whole(state.saved.evaluations)} evaluations is kept; Start goes on from it.`
+      ? `The surface after ${integer(state.saved.evaluations)} evaluations is kept; Start goes on from it.`
       : '';
   const message = [detail, kept].filter(Boolean).join(' ') || 'What was there before is kept.';
   return {

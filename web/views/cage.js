@@ -4,7 +4,7 @@
  * about the open cage.
  */
 import { cageWords } from '../words/cages.js';
-import { whole } from '../words/numbers.js';
+import { integer } from '../words/numbers.js';
 import { element, find, setText, whenChanged } from './dom.js';
 
 /** @import {Action, OpenCage, State} from '../state/types.js' */
@@ -22,11 +22,11 @@ function entryText(name) {
 function facts({ source, name, counts }) {
   return [
     .../** @type {Array<[string, string]>} */ (source.kind === 'text' ? [['File', name]] : []),
-    ['Vertices', whole(counts.vertices)],
-    ['Edges', whole(counts.edges)],
-    ['Faces', whole(counts.faces)],
-    ['Genus', whole(counts.genus)],
-    ['Components', whole(counts.components.length)],
+    ['Vertices', integer(counts.vertices)],
+    ['Edges', integer(counts.edges)],
+    ['Faces', integer(counts.faces)],
+    ['Genus', integer(counts.genus)],
+    ['Components', integer(counts.components.length)],
   ];
 }
 

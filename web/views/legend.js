@@ -87,10 +87,10 @@ export function createLegendView(root, choose, unit = (quantity) => `in ${quanti
 
 /** @param {Float64Array[]} parts @returns {Float64Array} */
 function joined(parts) {
-  const whole = new Float64Array(parts.reduce((length, part) => length + part.length, 0));
+  const all = new Float64Array(parts.reduce((length, part) => length + part.length, 0));
   parts.reduce((start, part) => {
-    whole.set(part, start);
+    all.set(part, start);
     return start + part.length;
   }, 0);
-  return whole;
+  return all;
 }

@@ -4,7 +4,7 @@
  */
 import { objectiveName, objectiveValue } from '../state/select.js';
 import { functionals, stopWords } from '../words/functionals.js';
-import { counted, duration, significant, whole, withError } from '../words/numbers.js';
+import { counted, duration, integer, significant, withError } from '../words/numbers.js';
 import { metricWords } from '../words/results.js';
 import { element, setText, whenChanged } from './dom.js';
 
@@ -109,7 +109,7 @@ export function createEnergiesView(root) {
       table.classList.toggle('moved', moved);
       body.replaceChildren(...energyRows(settings, latest.energies, moved ? first.energies : null));
       const stale = evaluations > latest.evaluations;
-      setText(note, stale ? `As of evaluation ${whole(latest.evaluations)}.` : '');
+      setText(note, stale ? `As of evaluation ${integer(latest.evaluations)}.` : '');
     },
   );
 
@@ -156,9 +156,9 @@ export function createLevelsView(root) {
           'tr',
           { title: levelTitle(report) },
           element('td', {}, String(report.level)),
-          element('td', {}, whole(report.patches)),
+          element('td', {}, integer(report.patches)),
           element('td', {}, levelEnergy(report)),
-          element('td', {}, whole(report.evaluations)),
+          element('td', {}, integer(report.evaluations)),
           element('td', {}, metricWords[report.metric]),
           element('td', {}, stopWords[report.stop] ?? report.stop),
         );

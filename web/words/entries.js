@@ -4,7 +4,7 @@
  */
 import { cageWords } from './cages.js';
 import { functionalWords } from './functionals.js';
-import { compact, counted, significant, upperBound, whole, withError } from './numbers.js';
+import { compact, counted, integer, significant, upperBound, withError } from './numbers.js';
 
 /** @import {FunctionalName} from '../../wasm/types.js' */
 /** @import {CatalogEntry, CatalogFunctional, CatalogShape, EntryStatus} from '../files/catalog.js' */
@@ -109,7 +109,7 @@ export function energyWords({ status, energy, error }) {
 /** Values to compare an entry with: the paper's, and the one known in theory. @param {CatalogEntry} entry @returns {string[]} */
 export function besideWords({ status, paper, exact }) {
   const words = [];
-  if (paper !== null) words.push(`paper ${whole(paper)}`);
+  if (paper !== null) words.push(`paper ${integer(paper)}`);
   // A known infimum is already the theoretical value.
   const computed = status === 'converged' || status === 'upper_bound';
   if (computed && exact !== null) words.push(`exact ${compact(exact, EXACT_DIGITS)}`);

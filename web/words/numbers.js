@@ -14,9 +14,9 @@ function superscript(exponent) {
   return exponent < 0 ? `⁻${digits}` : digits;
 }
 
-/** Inserts thin spaces between groups of three digits if there are at least five. @param {string} integer */
-function grouped(integer) {
-  return integer.length < 5 ? integer : integer.replace(/\B(?=(\d{3})+$)/g, THIN_SPACE);
+/** Inserts thin spaces between groups of three digits if there are at least five. @param {string} digits */
+function grouped(digits) {
+  return digits.length < 5 ? digits : digits.replace(/\B(?=(\d{3})+$)/g, THIN_SPACE);
 }
 
 /**
@@ -25,8 +25,8 @@ function grouped(integer) {
  * @param {number} decimals
  */
 function fixed(value, decimals) {
-  const [integer, fraction] = Math.abs(value).toFixed(decimals).split('.');
-  const text = fraction ? `${grouped(integer)}.${fraction}` : grouped(integer);
+  const [units, fraction] = Math.abs(value).toFixed(decimals).split('.');
+  const text = fraction ? `${grouped(units)}.${fraction}` : grouped(units);
   return value < 0 && /[1-9]/.test(text) ? MINUS + text : text;
 }
 
@@ -106,7 +106,7 @@ export function upperBound(value, digits = 4) {
 }
 
 /** An integer: 12 288. @param {number} value */
-export function whole(value) {
+export function integer(value) {
   return fixed(Math.round(value), 0);
 }
 
@@ -120,5 +120,5 @@ export function duration(seconds) {
 
 /** "1 face", "2 faces". @param {number} count @param {string} singular @param {string} [plural] */
 export function counted(count, singular, plural = `${singular}s`) {
-  return `${whole(count)} ${count === 1 ? singular : plural}`;
+  return `${integer(count)} ${count === 1 ? singular : plural}`;
 }

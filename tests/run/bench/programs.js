@@ -22,7 +22,7 @@ import { root } from '../process.js';
  * @property {string} stop
  */
 /** @typedef {{ seconds: number, group: string, order: number, levels: LevelRow[], steps: import('./tables.js').Step[] }} RunRow */
-/** @typedef {{ cage: string, functional: string, lastLevel: number, metric: string, symmetry: 'symmetric' | 'whole' }} RunChoice */
+/** @typedef {{ cage: string, functional: string, lastLevel: number, metric: string, symmetry: 'symmetric' | 'unsymmetric' }} RunChoice */
 
 const native = path.join(root, 'build/native');
 

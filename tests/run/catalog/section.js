@@ -3,7 +3,7 @@
  * @file The README's section on the catalog, generated from its numbers: the paper's tables beside ours, and whether
  * the paper's claims hold.
  */
-import { compact, upperBound, whole, withError } from '../../../web/words/numbers.js';
+import { compact, integer, upperBound, withError } from '../../../web/words/numbers.js';
 import { markdownTable } from '../bench/tables.js';
 
 /** @typedef {import('../bench/tables.js').Table} Table */
@@ -35,7 +35,7 @@ function limitWords(energy, bar) {
 const boundWords = (energy, bar) => (bar === null ? `≤ ${upperBound(energy)}` : limitWords(energy, bar));
 
 /** A number with four digits. @param {number} value */
-const short = (value) => (value >= 1000 ? whole(value) : compact(value, 4));
+const short = (value) => (value >= 1000 ? integer(value) : compact(value, 4));
 
 /** @param {Entry | undefined} entry */
 export function energyWords(entry) {
@@ -85,7 +85,7 @@ function tableOne(catalog) {
           name,
           entry.group.name,
           energyWords(entry),
-          whole(entry.paper),
+          integer(entry.paper),
           (entry.energy / entry.paper).toFixed(4),
           last,
         ],

@@ -7,7 +7,7 @@ import { element } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
 import { columnWords, junctionWords, typeset } from '../../../words/entries.js';
 import { functionals } from '../../../words/functionals.js';
-import { compact, counted, significant, upperBound, whole, withError } from '../../../words/numbers.js';
+import { compact, counted, integer, significant, upperBound, withError } from '../../../words/numbers.js';
 
 /** @import {FunctionalName} from '../../../../wasm/types.js' */
 /** @import {CatalogEntry, CatalogFunctional, CatalogStart} from '../../../files/catalog.js' */
@@ -35,7 +35,7 @@ export function facts({ entry, shape }, starts) {
   if (limit?.order) list.push(fact('Observed order', compact(limit.order, 2)));
   if (paper !== null) {
     const ratio = energy === null ? '' : `, ratio ${compact(energy / paper)}`;
-    list.push(fact('The paper', `${whole(paper)}${ratio}`));
+    list.push(fact('The paper', `${integer(paper)}${ratio}`));
   }
   if (exact !== null) {
     const source = entry.exact_source ? `, ${typeset(entry.exact_source)}` : '';
@@ -114,8 +114,8 @@ export function levelTable({ levels }) {
       'tr',
       {},
       element('td', {}, String(level)),
-      element('td', {}, whole(patches)),
-      element('td', {}, whole(unknowns)),
+      element('td', {}, integer(patches)),
+      element('td', {}, integer(unknowns)),
       element('td', {}, energy_reported === null ? 'diverges' : significant(energy_reported, ENERGY_DIGITS)),
     ),
   );
