@@ -52,7 +52,7 @@ class PolygonMesh {
   std::vector<int> origin_;    // half-edge -> vertex
   std::vector<int> face_;      // half-edge -> face
   std::vector<int> twin_;      // half-edge -> opposite half-edge
-  std::vector<int> edge_;      // half-edge -> edge; edges stand in the order of their smaller, then larger vertices
+  std::vector<int> edge_;      // half-edge -> edge; edges are sorted by their smaller, then their larger vertex
   std::vector<int> outgoing_;  // vertex -> one half-edge that leaves it
   std::vector<int> valence_;   // vertex -> number of edges
 };

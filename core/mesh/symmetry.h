@@ -39,8 +39,8 @@ struct SymmetryGroup {
 /// If noise admits isometries that do not form a group, the result is a subgroup.
 ///
 /// The result is C1 for cages with no well-defined finite group: each component lies on a line through the centroid, or
-/// so many points coincide that some relabelling moves none. Not found are symmetries that turn only some components
-/// inside out; those components would enclose no volume.
+/// so many points coincide that some relabelling moves none. A symmetry that turns only some components inside out is
+/// not found; such components would enclose no volume.
 SymmetryGroup find_symmetry(const PolygonMesh& mesh, const Points& points);
 
 /// The same group acting on catmull_clark(mesh).mesh.

@@ -3,7 +3,8 @@
 /// Sum-factorized evaluation of bicubic patches on a tensor grid of samples, and its transpose.
 ///
 /// With B_k the k-th derivatives of the four B-splines at the nodes, the derivative (k, l) at (node i, node j) is
-/// sum_b B_l[j][b] (sum_a B_k[i][a] P[b][a]): the inner sum is shared by all j and l. Nodes along u stand in lanes.
+/// sum_b B_l[j][b] (sum_a B_k[i][a] P[b][a]): the inner sum is shared by all j and l. Loops over the nodes along u are
+/// vectorized.
 #pragma once
 
 #include <Eigen/Core>

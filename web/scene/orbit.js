@@ -27,7 +27,7 @@ export function createOrbit(element, { moved, rested }) {
   camera.position.copy(placementOf(firstCamera, camera.aspect).position);
   const controls = new OrbitControls(camera, element);
   controls.dampingFactor = 0.12;
-  let told = firstCamera;
+  let reported = firstCamera;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
 
@@ -38,7 +38,7 @@ export function createOrbit(element, { moved, rested }) {
     clearTimeout(timer);
     timer = setTimeout(() => {
       const resting = now();
-      if (!sameCamera(resting, told)) rested((told = resting));
+      if (!sameCamera(resting, reported)) rested((reported = resting));
     }, REST);
   });
 
@@ -66,8 +66,8 @@ export function createOrbit(element, { moved, rested }) {
 
     /** @param {Camera} next */
     set(next) {
-      if (next === told) return;
-      told = next;
+      if (next === reported) return;
+      reported = next;
       place(next);
     },
 

@@ -183,10 +183,10 @@ function afterFailed(state, run, message) {
   if (opening.purpose === 'entry') return openWithout(closed, message);
   if (opening.purpose === 'cage') {
     /** @type {State} */
-    const told = { ...closed, alert: notOpened(opening.source.name, message) };
+    const withAlert = { ...closed, alert: notOpened(opening.source.name, message) };
     // If the address names a shape that does not exist, opens the default shape instead.
     const nothing = !state.cage && opening.source.name !== firstGenerator.name;
-    return nothing ? openGenerated({ ...told, status: state.status, generator: firstGenerator }) : told;
+    return nothing ? openGenerated({ ...withAlert, status: state.status, generator: firstGenerator }) : withAlert;
   }
   return { ...closed, settings: state.runSettings, alert: { title: 'These settings cannot be used', message } };
 }

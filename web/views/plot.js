@@ -106,7 +106,7 @@ export function createPlotView(root) {
     picture.setAttribute('width', String(width));
     picture.replaceChildren(...(some ? draw(samples, width) : []));
   });
-  const tell = whenChanged((/** @type {Sample[]} */ samples) => {
+  const updateDescription = whenChanged((/** @type {Sample[]} */ samples) => {
     setText(description, samples.length ? describe(samples) : '');
   });
 
@@ -120,7 +120,7 @@ export function createPlotView(root) {
     update(state) {
       ({ samples } = state);
       show(samples, root.clientWidth);
-      if (state.status !== 'running') tell(samples);
+      if (state.status !== 'running') updateDescription(samples);
     },
     dispose() {
       observer.disconnect();

@@ -126,7 +126,7 @@ export function createEnergiesPlotView(root, dispatch) {
   const listening = new AbortController();
   const { signal } = listening;
   const picture = svg('svg', { role: 'img', tabindex: 0, height: HEIGHT, 'aria-describedby': 'energies-values' });
-  picture.setAttribute('aria-label', 'Energies over the ratio of radii; arrow keys tell them');
+  picture.setAttribute('aria-label', 'Energies over the ratio of radii; use the arrow keys to read them');
   const drawn = svg('g', {});
   const hair = svg('line', { class: 'hair', y1: MARGIN.top, y2: HEIGHT - MARGIN.bottom });
   picture.append(drawn, hair);
@@ -174,17 +174,17 @@ export function createEnergiesPlotView(root, dispatch) {
       );
     },
   );
-  const tell = whenChanged(
+  const showValues = whenChanged(
     (/** @type {Blend} */ blend, /** @type {Family | null} */ family, /** @type {number | null} */ index) => {
       hair.style.display = index === null ? 'none' : '';
       if (index === null || !family) return setText(values, 'Point at the plot, or use the arrow keys, to read it.');
       const x = MARGIN.left + ratios[index] * (root.clientWidth - MARGIN.left - MARGIN.right);
       hair.setAttribute('x1', x.toFixed(1));
       hair.setAttribute('x2', x.toFixed(1));
-      const told = curvesOf(blend, family).map(
+      const texts = curvesOf(blend, family).map(
         ({ name, value }) => `${name} ${significant(value(family.energies[index]), 5)}`,
       );
-      setText(values, [`a = ${compact(ratios[index], 4)}`, ...told].join(' · '));
+      setText(values, [`a = ${compact(ratios[index], 4)}`, ...texts].join(' · '));
     },
   );
 
@@ -199,7 +199,7 @@ export function createEnergiesPlotView(root, dispatch) {
       last = state;
       ({ pointed } = state);
       show(state.blend, state.family, state.least, root.clientWidth);
-      tell(state.blend, state.family, state.pointed);
+      showValues(state.blend, state.family, state.pointed);
     },
     dispose() {
       listening.abort();
