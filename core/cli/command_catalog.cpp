@@ -3,6 +3,7 @@
 /// `umbilic catalog`: computes the catalog, or computes it again and compares.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>

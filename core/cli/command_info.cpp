@@ -10,6 +10,7 @@
 #include "cli/console.h"
 #include "cli/documents.h"
 #include "cli/exit_code.h"
+#include "cli/files.h"
 #include "cli/tables.h"
 #include "cli/version.h"
 

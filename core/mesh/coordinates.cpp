@@ -3,7 +3,8 @@
 /// Orbits of vertices, the directions that their stabilizers leave free, and products with B.
 #include "mesh/coordinates.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Jacobi>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -15,6 +16,8 @@ using Eigen::Matrix3d;
 /// Singular values of S - I below this count as zero. Products of generators are exact to about 1e-13; a rotation of
 /// order n has singular values 2 sin(pi / n), far above.
 constexpr double kFixed = 1e-9;
+/// Cosine of the angle between columns that count as orthogonal.
+constexpr double kOrthogonal = 1e-14;
 
 /// The subspace of vectors that isometries fix, spanned by the first `dimension` columns of an orthogonal matrix.
 struct FixedSubspace {
@@ -25,19 +28,36 @@ struct FixedSubspace {
     if (dimension > 0 && (isometry - Matrix3d::Identity()).norm() >= kFixed) intersect_with_another(isometry);
   }
 
-  /// Called rarely, but large once inlined. Kept out of the loop over all vertices, so that a browser need not optimize
-  /// it.
+  /// The fixed vectors are those that S - I maps to zero. Rotating pairs of its columns until all are orthogonal
+  /// (one-sided Jacobi) makes the lengths of the columns its singular values; the same rotations are applied to the
+  /// basis. Called rarely, but large once inlined: kept out of the loop over all vertices, so that a browser need not
+  /// optimize it.
   [[gnu::noinline]] void intersect_with_another(const Matrix3d& isometry) {
-    const auto span = basis.leftCols(dimension);
-    const Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> moved = isometry * span - span;
-    if (moved.norm() < kFixed) return;
-    const Eigen::JacobiSVD<Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>> svd(moved, Eigen::ComputeFullV);
-    int rank = 0;
-    while (rank < dimension && svd.singularValues()[rank] >= kFixed) ++rank;
-    basis.leftCols(dimension) = (span * svd.matrixV()).eval();
-    // Singular values decrease, so the fixed directions are the last columns.
-    basis.leftCols(dimension - rank) = basis.middleCols(rank, dimension - rank).eval();
-    dimension -= rank;
+    Matrix3d moved = isometry * basis - basis;
+    for (bool rotated = true; rotated;) {
+      rotated = false;
+      for (int i = 0; i < dimension; ++i) {
+        for (int j = i + 1; j < dimension; ++j) rotated = make_orthogonal(moved, i, j) || rotated;
+      }
+    }
+    int fixed = 0;
+    for (int i = 0; i < dimension; ++i) {
+      if (moved.col(i).norm() < kFixed) basis.col(i).swap(basis.col(fixed++));
+    }
+    dimension = fixed;
+  }
+
+  /// Makes the columns i and j orthogonal; returns whether they had to be rotated. Columns shorter than kFixed count as
+  /// zero.
+  bool make_orthogonal(Matrix3d& moved, int i, int j) {
+    const double squares = moved.col(i).squaredNorm(), others = moved.col(j).squaredNorm();
+    const double product = moved.col(i).dot(moved.col(j));
+    if (std::abs(product) <= kOrthogonal * std::max(std::sqrt(squares * others), kFixed * kFixed)) return false;
+    Eigen::JacobiRotation<double> rotation;
+    rotation.makeJacobi(squares, product, others);
+    moved.applyOnTheRight(i, j, rotation);
+    basis.applyOnTheRight(i, j, rotation);
+    return true;
   }
 };
 

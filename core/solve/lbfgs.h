@@ -3,6 +3,7 @@
 /// Limited-memory BFGS with an initial metric. Each call makes one evaluation, so that the caller can stop at any time.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>

@@ -13,6 +13,7 @@
 ///     patches.for_each_range([&](PatchRange range) { use(patches.jets(range, kThirdOrderCount)); });
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 

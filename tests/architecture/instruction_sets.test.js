@@ -17,7 +17,7 @@ const built = existsSync(cache) && /^UMBILIC_X86_KERNELS:INTERNAL=1$/m.test(read
 const objects = (set) =>
   ['core', 'tests'].flatMap((folder) =>
     readdirSync(path.join(build, folder), { recursive: true, encoding: 'utf8' })
-      .filter((name) => name.includes(`_${set}.dir/`) && name.endsWith('.o'))
+      .filter((name) => name.includes(`_${set}.dir/`) && name.endsWith('.o') && !name.includes('sanitized'))
       .map((name) => path.join(build, folder, name)),
   );
 

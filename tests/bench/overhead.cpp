@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// What L-BFGS itself costs beside the evaluations and the metric, on a quadratic in the identity.
+#include <algorithm>
 #include <chrono>
 
 #include "solve/lbfgs.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Builds parts of the project, each into its own folder of build/: `node tests/run/build.js native sanitize wasm
- * web`.
+ * @file Builds parts of the project into build/: `node tests/run/build.js native sanitize wasm web`.
  */
 import { existsSync, readdirSync, statSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -16,6 +15,12 @@ import { output, root, run } from './process.js';
 export const parts = { native: ['native'], wasm: ['wasm'], web: [], sanitize: ['native'] };
 
 /**
+ * The folder of build/ for a part. The sanitized tests share the objects of the native ones.
+ * @param {Exclude<Part, 'web'>} part
+ */
+const folderOf = (part) => (part === 'sanitize' ? 'native' : part);
+
+/**
  * Builds one part and continues after a target fails. The page needs the WebAssembly module.
  * @param {Part} part
  * @param {...string} targets by default all
@@ -23,21 +28,22 @@ export const parts = { native: ['native'], wasm: ['wasm'], web: [], sanitize: ['
  */
 export async function build(part, ...targets) {
   if (part === 'web') return buildPage();
-  if (!existsSync(path.join(root, 'build', part, 'build.ninja')) && !(await configure(part))) return false;
+  const folder = folderOf(part);
+  if (!existsSync(path.join(root, 'build', folder, 'build.ninja')) && !(await configure(folder))) return false;
+  if (part === 'sanitize' && !targets.length) targets = ['umbilic_sanitized_tests'];
   const jobs = String(availableParallelism());
   const quiet = process.stdout.isTTY ? [] : ['--quiet'];
-  return (await run('ninja', ['-C', `build/${part}`, '-k', '0', '-j', jobs, ...quiet, ...targets])) === 0;
+  return (await run('ninja', ['-C', `build/${folder}`, '-k', '0', '-j', jobs, ...quiet, ...targets])) === 0;
 }
 
 /**
  * Runs CMake to write a part's build files. The build itself notices later changes of CMake's files.
- * @param {Exclude<Part, 'web'>} part
+ * @param {'native' | 'wasm'} part
  * @returns {Promise<boolean>}
  */
 export async function configure(part) {
   const settings = {
     native: [],
-    sanitize: ['-DUMBILIC_SANITIZE=ON'],
     wasm: [`-DCMAKE_TOOLCHAIN_FILE=${emscriptenToolchain()}`],
   };
   const args = ['-S', '.', '-B', `build/${part}`, '-G', 'Ninja', '--log-level=WARNING', ...settings[part]];

@@ -51,8 +51,9 @@ export async function runCppTests(part) {
  * @returns {Promise<Tally>}
  */
 async function runExecutable(part, name) {
-  const program = path.join(root, 'build', part, 'tests', name);
-  const report = path.join(root, 'build', part, 'reports', `${name}.json`);
+  const folder = part === 'native' ? '' : 'sanitized';
+  const program = path.join(root, 'build/native/tests', folder, name);
+  const report = path.join(root, 'build/native/reports', folder, `${name}.json`);
   if (!existsSync(program)) {
     console.log(`${name}: not built`);
     return { passed: 0, failed: 1, skipped: 0 };

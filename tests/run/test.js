@@ -5,6 +5,7 @@
  */
 import { build } from './build.js';
 import { runCppTests } from './cpp_tests.js';
+import { cpuSeconds } from './cpu_time.js';
 import { installPackages, installTools } from './install.js';
 import { runJestTests } from './jest_tests.js';
 import { gates } from './lint.js';
@@ -40,18 +41,21 @@ async function runGates() {
   return sum(tallies);
 }
 
-/** @type {{ name: string, tally: Tally, seconds: number }[]} */
+/** @type {{ name: string, tally: Tally, seconds: number, cpu?: number }[]} */
 const results = [];
 
 /** @param {string} name @param {() => Promise<Tally>} work */
 async function record(name, work) {
   console.log(`\n== ${name}`);
   const start = performance.now();
+  const cpuBefore = cpuSeconds();
   const tally = await work().catch((error) => {
     console.error(error);
     return one(false);
   });
-  results.push({ name, tally, seconds: (performance.now() - start) / 1000 });
+  const cpuAfter = cpuSeconds();
+  const cpu = cpuBefore === undefined || cpuAfter === undefined ? undefined : cpuAfter - cpuBefore;
+  results.push({ name, tally, seconds: (performance.now() - start) / 1000, cpu });
 }
 
 /** @param {string[]} names */
@@ -80,10 +84,14 @@ if (unknown.length) {
 }
 await testSuites(wanted.length ? wanted : Object.keys(suites));
 
-console.log();
-for (const { name, tally, seconds } of results) {
-  console.log(`${name.padEnd(16)} ${seconds.toFixed(1).padStart(7)} s   ${line(tally)}`);
+/** @param {number | undefined} seconds @returns {string} blank where the platform does not tell */
+const cell = (seconds) => (seconds === undefined ? '' : `${seconds.toFixed(1)} s`).padStart(10);
+
+console.log(`\n${''.padEnd(16)}${'clock'.padStart(10)}${'CPU'.padStart(10)}`);
+for (const { name, tally, seconds, cpu } of results) {
+  console.log(`${name.padEnd(16)}${cell(seconds)}${cell(cpu)}   ${line(tally)}`);
 }
+console.log(`${'all'.padEnd(16)}${cell(performance.now() / 1000)}${cell(cpuSeconds())}`);
 const total = sum(results.map((result) => result.tally));
 process.exitCode = total.failed || !total.passed ? 1 : 0;
 console.log(`\n${line(total)}`);

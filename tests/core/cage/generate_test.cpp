@@ -3,9 +3,11 @@
 /// The generated cages: names, counts, genus, valences, options.
 #include "cage/generate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "cages.h"

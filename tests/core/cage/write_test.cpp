@@ -3,6 +3,7 @@
 /// Writing loses nothing.
 #include "cage/write.h"
 
+#include <cmath>
 #include <cstring>
 #include <random>
 

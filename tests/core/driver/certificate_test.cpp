@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +12,7 @@
 #include "driver/rules.h"
 #include "driver/run.h"
 #include "driver/surface.h"
+#include "linear_algebra.h"
 #include "mesh/rough_cages.h"
 #include "optimize/hessian_assembly.h"
 
@@ -67,11 +66,9 @@ int negative_eigenvalues(const RefinedCage& cage, CapKind cap, const Weights& we
   const Eigen::MatrixXd s = dense(assembly.combine(0, 1)), f = assembly.factors();
   if (f.cols() == 2) k += f.col(0) * f.col(1).transpose() + f.col(1) * f.col(0).transpose();
   const Eigen::MatrixXd g = gauge(cage.control, f.cols() == 0);
-  const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(g).householderQ();
-  const Eigen::MatrixXd complement = q.rightCols(q.cols() - g.cols());
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      complement.transpose() * k * complement, complement.transpose() * s * complement, Eigen::EigenvaluesOnly);
-  return static_cast<int>((solver.eigenvalues().array() < -kCertificateTau).count());
+  const Eigen::MatrixXd complement = orthogonal_complement(g);
+  const Eigen::VectorXd values = eigenvalues(congruent(k, complement), congruent(s, complement));
+  return static_cast<int>((values.array() < -kCertificateTau).count());
 }
 
 TEST(Certificate, counts_the_negative_eigenvalues_of_the_pencil_away_from_the_gauge_directions) {

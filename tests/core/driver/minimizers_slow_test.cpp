@@ -3,6 +3,7 @@
 /// Minimizers whose energies mathematics knows, and energies that must not depend on the cage.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>

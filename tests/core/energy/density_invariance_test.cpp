@@ -3,6 +3,7 @@
 /// Densities do not depend on parameters, frame, or position in space, and scale as they should; umbilics are harmless.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "energy/density_values.h"

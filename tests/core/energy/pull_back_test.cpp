@@ -3,6 +3,7 @@
 /// Hand-derived gradients against dual numbers run through the same templates.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/lanes.h"

@@ -4,6 +4,7 @@
 /// pairs. A second implementation that shares nothing with the half-edge mesh.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "linear_algebra.h"
 #include "surface/layout.h"
 
 namespace umbilic::test {
@@ -36,7 +37,7 @@ inline Eigen::MatrixXd over_control(const Eigen::MatrixXd& block, const Eigen::M
   Eigen::MatrixXd result(3 * count, 3 * count);
   for (int c = 0; c < 3; ++c) {
     for (int e = 0; e < 3; ++e) {
-      const Eigen::MatrixXd part = local.transpose() * block.block(c * columns, e * columns, columns, columns) * local;
+      const Eigen::MatrixXd part = congruent(block.block(c * columns, e * columns, columns, columns), local);
       for (Eigen::Index i = 0; i < count; ++i) {
         for (Eigen::Index j = 0; j < count; ++j) result(3 * i + c, 3 * j + e) = part(i, j);
       }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cage/generate.h"
+#include "linear_algebra.h"
 #include "mesh/rough_cages.h"
 #include "optimize/dense_assembly.h"
 #include "optimize/patch_assembly.h"
@@ -84,7 +85,7 @@ TEST(PatchAssembly, of_blocks_is_the_sum_of_the_patches_matrices_times_their_mul
       }
       assembly.add(s, p, given.data(), padded, sums);
       const Eigen::MatrixXd whole = over_control(block, local_points(c.layout, s, p));
-      expected += set.multiplicities[p] * b.transpose() * whole * b;
+      expected += set.multiplicities[p] * congruent(whole, b);
     });
     assembly.eliminate(sums);
     ASSERT_EQ(assembly.size(), c.coordinates.count());
@@ -108,7 +109,7 @@ TEST(PatchAssembly, of_scalar_blocks_is_that_of_the_same_block_for_each_coordina
       Eigen::MatrixXd block = random.matrix<Eigen::MatrixXd>(set.columns, set.columns);
       block = (block + block.transpose()).eval();
       const Eigen::MatrixXd local = local_points(c.layout, s, p);
-      expected += set.multiplicities[p] * local.transpose() * block * local;
+      expected += set.multiplicities[p] * congruent(block, local);
       block.triangularView<Eigen::StrictlyUpper>().setConstant(kUnread);
       assembly.add_scalar(s, p, block, sums);
       scalar.add_scalar(s, p, block, scalar_sums);
@@ -120,7 +121,7 @@ TEST(PatchAssembly, of_scalar_blocks_is_that_of_the_same_block_for_each_coordina
     for (int i = 0; i < count; ++i) {
       for (int j = 0; j < count; ++j) three.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(expected(i, j));
     }
-    const Eigen::MatrixXd reduced = b.transpose() * three * b;
+    const Eigen::MatrixXd reduced = congruent(three, b);
     EXPECT_LT((full(assembly.lower(sums.values)) - reduced).norm(), 1e-13 * reduced.norm());
   }
 }

@@ -5,11 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <limits>
 #include <random>
 #include <string>
+
+#include "linear_algebra.h"
 
 namespace umbilic {
 namespace {
@@ -94,7 +95,7 @@ TEST_P(SparseCholeskyOf, solves_what_dense_cholesky_solves) {
   SparseCholesky sparse(Pivots::kPositive);
   ASSERT_TRUE(sparse.factor(lower(matrix)));
   const Eigen::MatrixXd right = random_right(matrix.rows(), 4);
-  const Eigen::MatrixXd expected = matrix.llt().solve(right);
+  const Eigen::MatrixXd expected = test::solve(matrix, right);
   const Eigen::MatrixXd solved = sparse.solve(right);
   EXPECT_LE((solved - expected).norm(), 1e-12 * expected.norm());
   for (int c = 0; c < 4; ++c) {
@@ -118,14 +119,14 @@ TEST_P(SparseCholeskyOf, counts_the_negative_eigenvalues) {
   SparseCholesky sparse(Pivots::kNonzero);
   ASSERT_TRUE(sparse.factor(lower(matrix)));
   if (matrix.size() == 0) return;
-  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
+  const Eigen::VectorXd values = test::eigenvalues(matrix);
   EXPECT_EQ(sparse.negative(), (values.array() < 0).count());
 }
 
 TEST_P(SparseCholeskyOf, refuses_exactly_the_matrices_that_are_not_definite) {
   const Eigen::MatrixXd matrix = random_matrix(GetParam(), true, 4);
   if (matrix.size() == 0) return;
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues()[0];
+  const double least = test::eigenvalues(matrix)[0];
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols());
   SparseCholesky sparse(Pivots::kPositive);
   EXPECT_FALSE(sparse.factor(lower(matrix - (1 + 1e-9) * least * identity)));

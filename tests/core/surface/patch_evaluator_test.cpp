@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mesh/rough_cages.h"
 #include "surface/all_caps.h"
 #include "surface/few_points.h"

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Another project that adds this one keeps its own compiler settings: warnings, optimization and output folders are not handed to
+ * whoever links the libraries.
+ */
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { beforeAll, expect, test } from '@jest/globals';
+import { root } from './tree.js';
+
+const folder = path.join(root, 'build/architecture/parent');
+const listFile = `
+  cmake_minimum_required(VERSION 3.25)
+  project(parent LANGUAGES CXX)
+  get_directory_property(before VARIABLES)
+  add_subdirectory("${root}" umbilic)
+  get_directory_property(after VARIABLES)
+  list(REMOVE_ITEM after \${before} before)
+  list(FILTER after EXCLUDE REGEX "^(UMBILIC|umbilic)_")
+  message(NOTICE "added: \${after}")
+  message(NOTICE "build type: '\${CMAKE_BUILD_TYPE}'")
+  add_executable(parent parent.cpp)
+  target_link_libraries(parent PRIVATE umbilic_api)
+`;
+
+/** @type {string} */
+let said;
+/** @type {{ file: string, command: string }[]} */
+let commands;
+
+beforeAll(() => {
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(path.join(folder, 'CMakeLists.txt'), listFile);
+  writeFileSync(path.join(folder, 'parent.cpp'), '#include "wasm/api.h"\nint main() {}\n');
+  const build = path.join(folder, 'build');
+  const settings = ['-G', 'Ninja', '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON'];
+  const { status, stderr } = spawnSync('cmake', ['-S', folder, '-B', build, ...settings], { encoding: 'utf8' });
+  expect({ status, stderr }).toMatchObject({ status: 0 });
+  said = stderr;
+  commands = JSON.parse(readFileSync(path.join(build, 'compile_commands.json'), 'utf8'));
+});
+
+/** @param {string} file @returns {string[]} what it is compiled with, but for its folders and its language */
+function optionsFor(file) {
+  const command = commands.find((entry) => entry.file.endsWith(file))?.command ?? '';
+  expect(command).not.toBe('');
+  return command
+    .replace(/ -(isystem|o|c) \S+/g, '')
+    .split(/\s+/)
+    .slice(1)
+    .filter((option) => option && !/^-(I|std=)/.test(option));
+}
+
+test('a program that links the library is compiled with nothing of ours', () => {
+  expect(optionsFor('parent.cpp').filter((option) => !option.startsWith('-DFMT_'))).toEqual([]);
+});
+
+test('the library itself is compiled without our warnings and at the level that the other project chooses', () => {
+  const own = optionsFor(path.join('core', 'cage', 'generate.cpp'));
+  expect(own.filter((option) => /^-(W|O|g|DNDEBUG)/.test(option))).toEqual([]);
+  expect(own).toContain('-ffp-contract=off'); // What decides the results is the library's own.
+});
+
+test('the other project has no build type, no output folder and no test that it did not ask for', () => {
+  expect(said).toMatch("build type: ''");
+  expect(
+    said
+      .match(/^added: (.*)$/m)?.[1]
+      .split(';')
+      .filter((name) => /OUTPUT|FLAGS|UNITY|LAUNCHER/.test(name)),
+  ).toEqual([]);
+  expect(commands.filter(({ file }) => file.startsWith(path.join(root, 'tests')))).toEqual([]);
+});
