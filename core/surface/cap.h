@@ -3,9 +3,10 @@
 /// Caps: what replaces the limit surface S near an extraordinary vertex, where its curvature is unbounded or
 /// discontinuous.
 ///
-/// A cap is X = (1 - b) S + b Q. The blend b is 1 at the vertex and 0 at the rim; Q is a smooth surface, a polynomial
-/// in the characteristic map that is fitted to S. This file owns one of the N equal sectors of a cap: the basis of X
-/// over the control points of the ring net and the coefficients of Q.
+/// A cap is X = (1 - b) S + b Q. The blend b is 1 at the vertex and 0 at the rim. Q is smooth: the projection of S on a
+/// plane (`kFlat`), or a polynomial fitted to S. The polynomial's variables are the coordinates of the characteristic
+/// map, the planar limit surface in which a subdivision step is a mere scaling. This file owns one of the N equal
+/// sectors of a cap: the basis of X over the control points of the ring net and the coefficients of Q.
 ///
 /// paper | code
 /// S       limit surface, RingNet::basis
