@@ -143,7 +143,9 @@ umbilic_status umbilic_run_limit_mesh(const umbilic_run* run, int32_t density, u
                   fmt::format("density {}: expected at least 1, and at most {} quads on {} patches", density,
                               kMaxLimitQuads, patches));
     }
-    hand_out(run->run.run.limit_mesh(density), out);
+    Result<LimitMesh> mesh = run->run.run.limit_mesh(density);
+    if (!mesh) return fail(mesh.error());
+    hand_out(std::move(mesh).value(), out);
     return UMBILIC_OK;
   });
 }

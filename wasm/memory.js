@@ -130,6 +130,11 @@ export function call(name, ...args) {
 /** Calls a function that cannot fail. @param {string} name @param {...number} args @returns {number} */
 export const plainCall = (name, ...args) => inModule((module) => module[`_umbilic_${name}`](...args));
 
+/** Destroys the object of a handle, unless the module can no longer be called. @param {string} type @param {number} handle */
+export function destroy(type, handle) {
+  if (handle && !broken) plainCall(`${type}_destroy`, handle);
+}
+
 /** The first 32-bit words that the last call has written. @param {number} count */
 const handedBack = (count) => Array.from(core().HEAPU32.subarray(scratch >>> 2, (scratch >>> 2) + count));
 
@@ -242,7 +247,7 @@ export function withMesh(use, name, ...args) {
   try {
     return use(mesh);
   } finally {
-    if (!broken) plainCall('mesh_destroy', mesh);
+    destroy('mesh', mesh);
   }
 }
 

@@ -90,6 +90,8 @@
  *   error
  * @property {boolean} evaluable whether the surface was evaluated on the mesh whose points were moved; a coarser mesh
  *   only prepares the first such level
+ * @property {number} predicted_decrease how much the level could still decrease the energy when it ended; NaN before the
+ *   first iteration
  */
 
 /**

@@ -19,10 +19,10 @@ import {
   InputError,
   call,
   copyMesh,
+  destroy,
   meshObj,
   numberFrom,
   parse,
-  plainCall,
   stateOf,
   stringFrom,
   textFrom,
@@ -155,7 +155,7 @@ export class Cage {
 
   /** Frees the cage; a second call does nothing. */
   dispose() {
-    if (this.#handle) plainCall('cage_destroy', this.#handle);
+    destroy('cage', this.#handle);
     this.#handle = 0;
   }
 }
@@ -274,7 +274,7 @@ export class Minimizer {
 
   /** Frees the run; a second call does nothing. */
   dispose() {
-    if (this.#handle) plainCall('run_destroy', this.#handle);
+    destroy('run', this.#handle);
     this.#handle = 0;
   }
 }
@@ -310,7 +310,7 @@ export class Certificate {
 
   /** Frees the certificate; a second call does nothing. */
   dispose() {
-    if (this.#handle) plainCall('certificate_destroy', this.#handle);
+    destroy('certificate', this.#handle);
     this.#handle = 0;
   }
 }

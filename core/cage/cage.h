@@ -4,6 +4,7 @@
 /// counts.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -38,6 +39,7 @@ struct CageReport {
   int faces = 0;
   int genus = 0;                          ///< sum over components
   std::vector<CageComponent> components;  ///< in the order of their first face
+  std::vector<std::string> repairs;       ///< what validation changed, a sentence without a final period each
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
@@ -46,6 +48,7 @@ struct CageReport {
     visit("faces", self.faces, "Number of faces");
     visit("genus", self.genus, "Sum over the components");
     visit("components", self.components, "In the order of their first face");
+    visit("repairs", self.repairs, "What had to be changed of the cage as it was given, a sentence each");
   }
 };
 
@@ -57,10 +60,11 @@ struct CageSource {
 };
 
 /// Checks that the cage is a closed, edge- and vertex-manifold, orientable surface with finite vertices, every index in
-/// range, at least three vertices in a face and none twice, and at least one face. Then turns the faces of each
-/// component to one orientation that encloses positive volume (or keeps the first face's, where the volume vanishes),
-/// and drops the vertices that no face uses, because the surface does not depend on them; the others keep their order.
-/// The cage is unchanged when there is an error.
+/// range, at least three vertices in a face and none twice, and at least one face, and that no component's vertices lie
+/// in one point or on one line and no component's faces are without area. Then turns the faces of each component to one
+/// orientation that encloses positive volume (or, where the volume vanishes, to that of most of its faces), and drops
+/// the vertices that no face uses, because the surface does not depend on them; the others keep their order. What it
+/// turns or drops the report says. The cage is unchanged when there is an error. A validated cage validates unchanged.
 ///
 /// Errors name the vertex, edge or face, and its line where `source` knows it: vertices as the text numbers them, faces
 /// from 1.

@@ -4,12 +4,20 @@
 #pragma once
 
 #include "cage/cage.h"
+#include "cage/component_size.h"
 #include "cage/edges.h"
 
 namespace umbilic {
 
-/// Makes the faces of each component agree, such that the component encloses positive volume; where its volume vanishes
-/// to round-off, such that its first face stays as it is. A face that is turned keeps its first corner.
-void turn_outward(Cage& cage, const Orientation& orientation);
+struct TurnedFaces {
+  int inward = 0;     ///< of components whose faces agreed and enclosed negative volume
+  int disagreed = 0;  ///< of other components
+};
+
+/// Makes the faces of each component agree, such that the component encloses positive volume. Where its volume vanishes
+/// to rounding, as that of flat cages and of double covers does, no side is the outside: then most of its faces stay as
+/// they are, and its first face where neither orientation has most of them. A face that is turned keeps its first
+/// corner. Faces that agree are either all turned or none, and a second call turns none.
+TurnedFaces turn_outward(Cage& cage, const Orientation& orientation, const std::vector<ComponentSize>& sizes);
 
 }  // namespace umbilic

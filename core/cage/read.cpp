@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "cage/formats.h"
 
@@ -15,7 +14,6 @@ namespace umbilic {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kLongestText = std::numeric_limits<int>::max();  // line numbers and indices are ints
 
 int line_of(std::string_view text, std::size_t position) {
   const std::string_view before = text.substr(0, position);
@@ -29,20 +27,26 @@ int line_of(std::string_view text, std::size_t position) {
 
 }  // namespace
 
-Result<Cage> read_cage(std::string_view text) {
-  if (text.size() > kLongestText) return Error{"the file is larger than 2 GB"};
+Result<CheckedCage> read_checked_cage(std::string_view text, const ReadLimits& limits) {
+  if (text.size() > limits.bytes) return Error{fmt::format("the file has more than {} bytes", limits.bytes)};
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
   if (text.find_first_not_of(" \t\v\f\r\n") == std::string_view::npos) return Error{"the file is empty"};
 
   // Binary OFF is recognized by its first line, before its bytes are.
-  auto file = is_off(text) ? parse_off(text) : parse_obj(text);
+  auto file = is_off(text) ? parse_off(text, limits) : parse_obj(text, limits);
   if (const std::size_t zero = text.find('\0'); !file && zero != std::string_view::npos && !is_off(text)) {
     return Error{fmt::format("line {}: not a text file: it holds a zero byte", line_of(text, zero))};
   }
   if (!file) return file.error();
-  const auto report = validate(file->cage, file->source);
+  auto report = validate(file->cage, file->source);
   if (!report) return report.error();
-  return std::move(file->cage);
+  return CheckedCage{std::move(file->cage), std::move(*report)};
+}
+
+Result<Cage> read_cage(std::string_view text) {
+  auto checked = read_checked_cage(text);
+  if (!checked) return checked.error();
+  return std::move(checked->cage);
 }
 
 }  // namespace umbilic

@@ -72,9 +72,9 @@ Error at_line(int line, const std::string& message) { return Error{fmt::format("
 
 }  // namespace
 
-Result<PolygonFile> parse_obj(std::string_view text) {
+Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits) {
   PolygonFile file;
-  VertexList vertices;
+  VertexList vertices(limits.vertices);
   Statements statements(text);
   while (const auto statement = statements.next()) {
     std::string_view words = statement->text;
@@ -84,10 +84,16 @@ Result<PolygonFile> parse_obj(std::string_view text) {
       if (!position) return at_line(statement->number, position.error().message);
       file.source.vertex_lines.push_back(statement->number);
     } else if (keyword == "f") {
+      if (static_cast<int>(file.cage.faces.size()) == limits.faces) {
+        return at_line(statement->number, fmt::format("more than {} faces: the file is too large", limits.faces));
+      }
       std::vector<int> face;
       for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
         const auto corner = parse_corner(word, vertices.size());
         if (!corner) return at_line(statement->number, corner.error().message);
+        if (static_cast<int>(face.size()) == limits.face_size) {
+          return at_line(statement->number, fmt::format("a face of more than {} vertices", limits.face_size));
+        }
         face.push_back(*corner);
       }
       file.cage.faces.push_back(std::move(face));

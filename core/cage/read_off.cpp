@@ -75,10 +75,11 @@ Result<Counts> parse_header(LineReader& lines) {
   return parse_counts(*line);
 }
 
-Result<std::vector<int>> parse_face(std::string_view words, long long vertex_count) {
+Result<std::vector<int>> parse_face(std::string_view words, long long vertex_count, int most) {
   const std::string_view first = take_word(words);
   const auto size = parse_integer(first);
   if (!size || *size < 0) return Error{fmt::format("expected a face's number of vertices, found {}", in_quotes(first))};
+  if (*size > most) return Error{fmt::format("a face of more than {} vertices", most)};
   std::vector<int> face;
   for (long long corner = 0; corner < *size; ++corner) {
     const std::string_view word = take_word(words);
@@ -109,14 +110,18 @@ bool is_off(std::string_view text) {
   return is_keyword(take_word(words));
 }
 
-Result<PolygonFile> parse_off(std::string_view text) {
+Result<PolygonFile> parse_off(std::string_view text, const ReadLimits& limits) {
   LineReader lines(text);
   const auto counts = parse_header(lines);
   if (!counts) return counts.error();
+  if (counts->vertices > limits.vertices || counts->faces > limits.faces) {
+    return Error{fmt::format("line {}: {} vertices and {} faces: at most {} and {} are read", counts->line,
+                             counts->vertices, counts->faces, limits.vertices, limits.faces)};
+  }
 
   PolygonFile file;
   file.source.first_index = 0;
-  VertexList vertices;
+  VertexList vertices(limits.vertices);
   while (vertices.size() < counts->vertices) {
     auto line = next_content(lines);
     if (!line) return truncated(lines, vertices.size(), counts->vertices, "vertices", *counts);
@@ -127,7 +132,7 @@ Result<PolygonFile> parse_off(std::string_view text) {
   while (static_cast<long long>(file.cage.faces.size()) < counts->faces) {
     const auto line = next_content(lines);
     if (!line) return truncated(lines, static_cast<long long>(file.cage.faces.size()), counts->faces, "faces", *counts);
-    auto face = parse_face(line->text, counts->vertices);
+    auto face = parse_face(line->text, counts->vertices, limits.face_size);
     if (!face) return Error{fmt::format("line {}: {}", line->number, face.error().message)};
     file.cage.faces.push_back(std::move(*face));
     file.source.face_lines.push_back(line->number);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cage/cage.h"
+#include "cage/component_size.h"
 #include "cage/edges.h"
 #include "cage/outward.h"
 
@@ -134,6 +135,39 @@ void drop_unused_vertices(Cage& cage) {
   }
 }
 
+std::optional<Error> check_sizes(const std::vector<ComponentSize>& sizes, const Naming& naming) {
+  for (const ComponentSize& size : sizes) {
+    const std::string_view of = sizes.size() > 1 ? "of the component of this face" : "of the cage";
+    const auto at_fault = [&](std::string_view all, std::string_view what) {
+      return naming.at_face(size.first_face, fmt::format("is part of no surface: all {} {} {}", all, of, what));
+    };
+    if (size.coincident) return at_fault("vertices", "coincide");
+    if (size.is_line()) return at_fault("vertices", "lie on one line");
+    if (size.is_without_area()) return at_fault("faces", "have zero area");
+  }
+  return std::nullopt;
+}
+
+std::string counted(int count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::vector<std::string> sentences(const TurnedFaces& turned, int dropped) {
+  std::vector<std::string> repairs;
+  if (turned.inward > 0) {
+    repairs.push_back(
+        fmt::format("turned {}, so that what pointed inward points outward", counted(turned.inward, "face", "faces")));
+  }
+  if (turned.disagreed > 0) {
+    repairs.push_back(fmt::format("turned {}, so that all faces agree on one side as the outside",
+                                  counted(turned.disagreed, "face", "faces")));
+  }
+  if (dropped > 0) {
+    repairs.push_back(fmt::format("dropped {} that no face uses", counted(dropped, "vertex", "vertices")));
+  }
+  return repairs;
+}
+
 /// Counts of a closed, vertex-manifold cage without unused vertices.
 CageReport count(const Cage& cage, const std::vector<EdgeUse>& uses, const Orientation& orientation) {
   CageReport report;
@@ -174,9 +208,14 @@ Result<CageReport> validate(Cage& cage, const CageSource& source) {
                           "cannot be turned to match all of its neighbours: the surface is not orientable");
   }
   if (auto error = check_fans(cage, uses, naming)) return *error;
-  turn_outward(cage, orientation);
+  const std::vector<ComponentSize> sizes = component_sizes(cage, orientation);
+  if (auto error = check_sizes(sizes, naming)) return *error;
+  const TurnedFaces turned = turn_outward(cage, orientation, sizes);
+  const auto given = static_cast<int>(cage.vertices.rows());
   drop_unused_vertices(cage);
-  return count(cage, uses, orientation);
+  CageReport report = count(cage, uses, orientation);
+  report.repairs = sentences(turned, given - report.vertices);
+  return report;
 }
 
 }  // namespace umbilic

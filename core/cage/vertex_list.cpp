@@ -11,6 +11,7 @@
 namespace umbilic {
 
 Result<Vector3> VertexList::append(std::string_view& words) {
+  if (size() == most_) return Error{fmt::format("more than {} vertices: the file is too large", most_)};
   Vector3 position;
   for (int axis = 0; axis < 3; ++axis) {
     const std::string_view word = take_word(words);

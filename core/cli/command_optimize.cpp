@@ -122,10 +122,13 @@ int write_results(const OptimizeArguments& arguments, const Ending& ending) {
     if (const auto error = write_file(*path, text())) exit_code = fail(kCannotWrite, error->message);
   };
   write(arguments.output, [&] { return write_obj(run.control_mesh()); });
-  write(arguments.limit_mesh, [&] {
-    const LimitMesh mesh = run.limit_mesh(arguments.density);
-    return write_obj(mesh.positions, mesh.normals, mesh.quads);
-  });
+  if (arguments.limit_mesh) {
+    if (const Result<LimitMesh> mesh = run.limit_mesh(arguments.density)) {
+      write(arguments.limit_mesh, [&] { return write_obj(mesh->positions, mesh->normals, mesh->quads); });
+    } else {
+      exit_code = fail(kBadInput, mesh.error().message);
+    }
+  }
   write(arguments.report, [&] { return json(ending); });
   for (const std::string& path : arguments.outputs()) {
     if (path == "-") return exit_code;  // the table would spoil what stands there

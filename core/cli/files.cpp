@@ -108,7 +108,7 @@ std::optional<Error> write_directly(const std::string& path, std::string_view te
 
 }  // namespace
 
-Result<std::string> read_file(const std::string& path) {
+Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
   const bool from_stdin = path == "-";
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
       from_stdin ? stdin : std::fopen(path.c_str(), "rb"),
@@ -116,8 +116,13 @@ Result<std::string> read_file(const std::string& path) {
   if (!file) return Error{fmt::format("cannot read {}: {}", path, reason())};
   std::string text;
   std::array<char, 1 << 16> block;
-  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get()))
+  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
+    if (count > most_bytes - text.size()) {
+      return Error{
+          fmt::format("cannot read {}: it has more than {} bytes", from_stdin ? "standard input" : path, most_bytes)};
+    }
     text.append(block.data(), count);
+  }
   if (std::ferror(file.get())) {
     return Error{fmt::format("cannot read {}: {}", from_stdin ? "standard input" : path, reason())};
   }
@@ -126,15 +131,11 @@ Result<std::string> read_file(const std::string& path) {
 
 Result<CageFile> load_cage(const std::string& path) {
   const std::string name = path == "-" ? "standard input" : path;
-  const auto text = read_file(path);
+  const auto text = read_file(path, ReadLimits{}.bytes);
   if (!text) return text.error();
-  auto cage = read_cage(*text);
-  if (!cage) return Error{fmt::format("{}: {}", name, cage.error().message)};
-  CageFile file{name, std::move(*cage), {}};
-  const auto report = validate(file.cage);
-  if (!report) return Error{fmt::format("{}: {}", name, report.error().message)};
-  file.report = *report;
-  return file;
+  auto checked = read_checked_cage(*text);
+  if (!checked) return Error{fmt::format("{}: {}", name, checked.error().message)};
+  return CageFile{name, std::move(checked->cage), std::move(checked->report)};
 }
 
 std::optional<Error> check_writable(const std::string& path) {

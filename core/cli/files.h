@@ -18,8 +18,8 @@ struct CageFile {
   CageReport report;
 };
 
-/// The whole text at `path`.
-Result<std::string> read_file(const std::string& path);
+/// The whole text at `path`, which is refused as soon as it turns out to have more than `most_bytes`.
+Result<std::string> read_file(const std::string& path, std::size_t most_bytes = std::size_t{1} << 28);
 
 /// Reads and validates the cage at `path`; errors begin with its name.
 Result<CageFile> load_cage(const std::string& path);

@@ -23,6 +23,29 @@ std::string energy_line(std::string_view name, double value, const std::string& 
   return fmt::format("  {:<22} {:>16}{}{}\n", name, number, note.empty() ? "" : "   = ", note);
 }
 
+std::string area_line(double area) {
+  if (std::isinf(area)) return fmt::format("  {:<22} {:>16}\n", "area", "above 1.8e+308");
+  if (area == 0) return fmt::format("  {:<22} {:>16}\n", "area", "below 4.9e-324");
+  return energy_line("area", area);
+}
+
+/// How many digits the input leaves, where it leaves fewer than are printed.
+std::string input_rounding_lines(const EnergyReport& energies) {
+  constexpr double kHarmless = 1e-12;
+  if (!energies.input_rounding) return "";
+  double second_order = 0, third_order = 0;
+  for (int i = 0; i < kFunctionalCount; ++i) {
+    double& largest = is_third_order(i) ? third_order : second_order;
+    if (const double change = energies.input_rounding->values[i]; change > largest) largest = change;
+  }
+  if (!(std::max(second_order, third_order) > kHarmless)) return "";
+  return fmt::format(
+      "note: the cage lies so far from the origin for its size that its coordinates' last digits decide:\n"
+      "their rounding changes energies of second order by up to {:.1e} of their value, of third order by up to "
+      "{:.1e}\n",
+      second_order, third_order);
+}
+
 std::string ratio(double value, double unit, std::string_view unit_name) {
   return fmt::format("{:.6g} * {}", value / unit, unit_name);
 }
@@ -33,7 +56,9 @@ std::string input_line(std::string_view name, const CageReport& report) {
   std::string text = fmt::format("{}: {}, {}, {}", name, plural(report.vertices, "vertex", "vertices"),
                                  plural(report.edges, "edge", "edges"), plural(report.faces, "face", "faces"));
   if (report.components.size() > 1) text += fmt::format(", {} components", report.components.size());
-  return text + fmt::format(", genus {}\n", report.genus);
+  text += fmt::format(", genus {}\n", report.genus);
+  for (const std::string& repair : report.repairs) text += fmt::format("repaired: {}\n", repair);
+  return text;
 }
 
 std::string energy_table(const EnergyReport& energies, const std::string& objective) {
@@ -45,12 +70,12 @@ std::string energy_table(const EnergyReport& energies, const std::string& object
     if (i == kWillmore) note = ratio(value, 4 * kPi, "4 pi");
     text += energy_line(kFunctionalNames[i], value, note);
   }
-  text += energy_line("area", energies.area);
+  text += area_line(energies.area);
   text += energy_line("gaussian", energies.gaussian, ratio(energies.gaussian, 4 * kPi, "4 pi"));
   if (std::isfinite(energies.quadrature_error)) {
     text += fmt::format("  quadrature error of {}: {:.1e}\n", objective, energies.quadrature_error);
   }
-  return text;
+  return text + input_rounding_lines(energies);
 }
 
 std::string gauss_bonnet_line(const EnergyReport& energies) {
@@ -72,7 +97,8 @@ std::string level_table(const std::vector<LevelReport>& levels) {
 }
 
 std::string group_words(const GroupReport& group) {
-  return fmt::format("symmetry {}, order {}", group.name, group.order);
+  return fmt::format("symmetry {}, order {}{}", group.name, group.order,
+                     group.incomplete ? fmt::format(" ({}: there may be more)", *group.incomplete) : "");
 }
 
 std::string limit_line(const LimitReport& limit) {

@@ -11,11 +11,11 @@
 
 namespace umbilic::cli {
 
-/// One line: the cage's name, counts and genus.
+/// One line: the cage's name, counts and genus; and one for each repair.
 std::string input_line(std::string_view name, const CageReport& cage);
 
-/// All energies, with the ratios that are a topological constant or a sphere's energy, and the quadrature error of
-/// `objective`.
+/// All energies, with the ratios that are a topological constant or a sphere's energy, the quadrature error of
+/// `objective`, and what the rounding of the input does to them, where that shows.
 std::string energy_table(const EnergyReport& energies, const std::string& objective);
 
 /// "symmetry D3h, order 12".

@@ -7,8 +7,10 @@
 #include <limits>
 #include <random>
 
+#include "driver/input_rounding.h"
 #include "driver/run.h"
 #include "driver/surface.h"
+#include "mesh/hierarchy.h"
 
 namespace umbilic {
 namespace {
@@ -29,13 +31,18 @@ double central_difference(const F& f, double h) {
 }  // namespace
 
 Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels) {
-  Result<RefinedCage> refined = refine_to_evaluable(cage, levels, false);
-  if (!refined) return refined.error();
+  Result<RefinedCage> prepared = prepare({cage, {}}, levels, false);
+  if (!prepared) return prepared.error();
+  const int steps = std::max(levels, required_level(prepared->mesh).value());
   Weights bending{};
   bending[kBending] = 1;
-  const int level = refined->level, patches = refined->mesh.face_count();
-  const Surface surface(std::move(refined).value(), cap, bending);
-  return EvaluationReport{level, patches, surface.report(surface.start())};
+  const Surface surface(refine(*prepared, steps), cap, bending);
+  EvaluationReport report{surface.level(), surface.mesh().face_count(), surface.report(surface.start())};
+  if (std::isnan(report.energies.functionals[kBending])) {
+    return Error{"the surface shrinks to a curve or a point somewhere: it has no energies"};
+  }
+  report.energies.input_rounding = input_rounding(*prepared, cage.vertices, surface, report.energies);
+  return report;
 }
 
 Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, CapKind cap) {
@@ -79,6 +86,8 @@ Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, 
     }
   }
   report.ok = report.relative_mismatch <= kGradientTolerance;
+  for (double* slope : {&report.analytic, &report.difference})
+    *slope = std::ldexp(*slope, -surface.placement().exponent);
   return report;
 }
 

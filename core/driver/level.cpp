@@ -51,7 +51,7 @@ const IdentityMetric kIdentityMetric;
 MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
   const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
-  const int most = third_order(options.weights) ? 8000 : second_order_most;
+  const int most = third_order(options.weights) ? kMostHessianUnknowns : second_order_most;
   return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
 }
 
@@ -228,6 +228,7 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.evaluations = evaluations();
   report.evaluable = evaluable();
   if (lbfgs_ && lbfgs_->ended()) report.stop = lbfgs_->stop();
+  if (lbfgs_) report.predicted_decrease = lbfgs_->predicted_decrease();
   return report;
 }
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/types.h"
+#include "cage/placement.h"
 
 namespace umbilic {
 
@@ -23,5 +23,8 @@ struct LimitMesh {
   Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> curvatures;
   std::vector<std::array<int, 4>> quads;
 };
+
+/// From unit coordinates back to those of the cage that has the placement.
+void put_back(LimitMesh& mesh, const Placement& placement);
 
 }  // namespace umbilic

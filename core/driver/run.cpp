@@ -3,6 +3,8 @@
 /// Steps through the levels: prepare, minimize, report, refine.
 #include "driver/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,6 +13,7 @@
 
 #include "driver/extrapolate.h"
 #include "driver/level.h"
+#include "driver/memory.h"
 #include "driver/tessellate.h"
 #include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
@@ -27,6 +30,7 @@ struct Run::State {
   double level_seconds = 0;
   bool cancelled = false;
   mutable std::optional<EnergyReport> energies;  // of the best surface, while it stays
+  mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
   LevelOptions level_options() const {
     LevelOptions next{options.cap, options.weights, options.max_iterations, options.tolerance, options.metric};
@@ -35,8 +39,28 @@ struct Run::State {
   }
 
   const EnergyReport& report_energies() const {
-    if (!energies) energies = level->surface().report(level->best());
+    if (!energies) {
+      energies = level->surface().report(level->best());
+      written.reset();
+    }
     return *energies;
+  }
+
+  Cage control_mesh() const {
+    const RefinedCage cage = level->best_cage();
+    return to_cage(cage.mesh, cage.placement.back(cage.control));
+  }
+
+  /// Of the surface as it is written.
+  const EnergyReport& written_energies() const {
+    const EnergyReport& exact = report_energies();
+    if (level->surface().placement().is_centred()) return exact;
+    if (!written) {
+      const Result<EvaluationReport> evaluation = evaluate(control_mesh(), options.cap, 0);
+      written = evaluation ? evaluation->energies : exact;
+      written->quadrature_error = exact.quadrature_error;
+    }
+    return *written;
   }
 
   void update_progress() {
@@ -45,7 +69,7 @@ struct Run::State {
     progress.iterations = level->iterations();
     progress.evaluations = level->evaluations();
     progress.energy = level->energy();
-    progress.gradient_norm = level->gradient_norm();
+    progress.gradient_norm = std::ldexp(level->gradient_norm(), -level->surface().placement().exponent);
     progress.predicted_decrease = lbfgs ? lbfgs->predicted_decrease() : std::numeric_limits<double>::quiet_NaN();
     progress.total_evaluations = progress.evaluations;
     for (const LevelReport& ended : levels) {
@@ -119,7 +143,9 @@ Result<Run> Run::begin(const StartingCage& start, const RunOptions& options) {
   if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
   auto state = std::make_unique<State>();
   state->options = options;
-  state->required_level = start.level + required_level(prepared->mesh).value();
+  const int required = required_level(prepared->mesh).value();
+  state->required_level = start.level + required;
+  if (auto error_of_size = too_large_a_run(*prepared, required, options)) return *error_of_size;
   const RefinedCage first = refine(std::move(prepared).value(), steps_to(options.first_level));
   state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
   state->update_progress();
@@ -160,11 +186,13 @@ void Run::cancel() {
 const Progress& Run::progress() const { return state_->progress; }
 int Run::patches() const { return state_->level->surface().mesh().face_count(); }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
-const EnergyReport& Run::energies() const { return state_->report_energies(); }
+const EnergyReport& Run::energies() const { return state_->written_energies(); }
 
 GroupReport Run::group() const {
   const SymmetryGroup& group = state_->level->surface().symmetry();
-  return {group.name, group.order};
+  GroupReport report{group.name, group.order};
+  if (!group.complete) report.incomplete = "the search was given up";
+  return report;
 }
 
 LimitReport Run::limit() const { return extrapolate(state_->energies_of_levels, third_order(state_->options.weights)); }
@@ -175,21 +203,22 @@ Result<Certificate> Run::certify() const {
                              state_->options.weights, level.quadrature());
 }
 
-Cage Run::control_mesh() const {
-  const RefinedCage cage = state_->level->best_cage();
-  return to_cage(cage.mesh, cage.control);
-}
+Cage Run::control_mesh() const { return state_->control_mesh(); }
 
 Points Run::orbit_points() const {
   const RefinedCage cage = state_->level->best_cage();
-  return Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control);
+  return cage.placement.back(Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control));
 }
 
 SurfaceState Run::state() const { return {state_->level->number(), orbit_points()}; }
 
-LimitMesh Run::limit_mesh(int density) const {
+Result<LimitMesh> Run::limit_mesh(int density) const {
   const Surface& surface = state_->level->surface();
-  return tessellate(surface.mesh(), surface.symmetry(), surface.layout(), state_->level->best(), density);
+  if (density < 1) return Error{fmt::format("density {}: expected a number >= 1", density)};
+  if (auto error = too_large_a_mesh(surface.mesh(), density)) return *error;
+  LimitMesh mesh = tessellate(surface.mesh(), surface.symmetry(), surface.layout(), state_->level->best(), density);
+  put_back(mesh, surface.placement());
+  return mesh;
 }
 
 }  // namespace umbilic

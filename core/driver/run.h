@@ -23,7 +23,8 @@ struct StartingCage;
 class Run {
  public:
   /// Fails when the cage has a vertex of valence 2 or above 24 (after one step, which turns faces into vertices of
-  /// their size), the weights are unusable, or the refined mesh would have more than 2 million faces.
+  /// their size), the weights are unusable, or the refined mesh would have more than kMaxFaces faces (2 million) or the
+  /// run take more than kMostRunBytes of memory (driver/memory.h).
   static Result<Run> create(const Cage& cage, const RunOptions& options);
   /// The same from a refined mesh, whose levels count from the cage that it comes from: levels before its own are left
   /// out. Where its symmetry is known, there is no search for it.
@@ -69,11 +70,13 @@ class Run {
   SurfaceState state() const;
 
   /// All energies of the best surface so far by the reporting rule, with the quadrature error. One unit's work, several
-  /// times the cost of an evaluation; cached until the surface changes.
+  /// times the cost of an evaluation; cached until the surface changes. Of a cage that is not about the origin they are
+  /// those of `control_mesh`, whose coordinates are rounded to where they lie; the levels' energies are not.
   const EnergyReport& energies() const;
 
-  /// The best surface so far, `density` >= 1 quads along each edge of a patch.
-  LimitMesh limit_mesh(int density) const;
+  /// The best surface so far, `density` >= 1 quads along each edge of a patch. Fails where the mesh would take more
+  /// than kMostMeshBytes (driver/memory.h), and names the largest density that would not.
+  Result<LimitMesh> limit_mesh(int density) const;
 
  private:
   struct State;
@@ -83,7 +86,7 @@ class Run {
 };
 
 /// All energies of the cage's surface after `levels` Catmull-Clark steps (raised when the cage needs more). Fails as
-/// `Run::create`.
+/// `Run::create`, and where a part of the surface is a curve or a point, which has no curvature.
 Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels);
 
 /// Compares the analytic gradient along random directions with central differences of the energy.

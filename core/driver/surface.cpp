@@ -15,17 +15,27 @@
 
 namespace umbilic {
 
+double faces_after(const PolygonMesh& cage, int steps) {
+  return steps == 0 ? cage.face_count() : cage.halfedge_count() * std::pow(4.0, steps - 1);
+}
+
 Result<RefinedCage> prepare(const StartingCage& start, int last_level, bool symmetric) {
-  RefinedCage result{0, PolygonMesh(start.cage), start.cage.vertices, {}};
+  const Placement placement = placement_of(start.cage.vertices);
+  RefinedCage result{0, PolygonMesh(start.cage), placement.to_unit(start.cage.vertices), {}, placement};
   const PolygonMesh& mesh = result.mesh;
   const Result<int> required = required_level(mesh);
   if (!required) return required.error();
   const int steps = std::max(last_level, *required);
-  const double faces = steps == 0 ? mesh.face_count() : mesh.halfedge_count() * std::pow(4.0, steps - 1);
+  const double faces = faces_after(mesh, steps);
   if (faces > kMaxFaces) {
     return Error{fmt::format("level {} would have {:.3g} faces; at most {} are possible", steps, faces, kMaxFaces)};
   }
-  if (symmetric) result.symmetry = start.symmetry ? *start.symmetry : find_symmetry(mesh, result.control);
+  if (symmetric && start.symmetry) {
+    result.symmetry = *start.symmetry;
+    result.symmetry.center = placement.to_unit(result.symmetry.center);
+  } else if (symmetric) {
+    result.symmetry = find_symmetry(mesh, result.control);
+  }
   const Coordinates coordinates(mesh, result.symmetry);
   result.control = coordinates.control(coordinates.unknowns(result.control));
   return result;
@@ -90,7 +100,10 @@ const SurfaceEnergy& Surface::energy() const {
 EnergyReport Surface::report(const Points& control) const {
   if (!reporting_jets_) reporting_jets_ = std::make_unique<JetEvaluator>(layout_, reporting_rule(layout_.cap()));
   const SurfaceIntegrals integrals = surface_integrals(*reporting_jets_, control);
-  EnergyReport report{integrals.functionals, integrals.area, integrals.gaussian};
+  EnergyReport report;
+  report.functionals = integrals.functionals;
+  report.area = std::ldexp(integrals.area, 2 * placement().exponent);
+  report.gaussian = integrals.gaussian;
   report.whole = gauss_bonnet_defect(report.gaussian, mesh().euler_characteristic()) <= kLargestDefect;
   if (layout_.cap() == CapKind::kNone && !layout_.caps().empty()) {
     for (int i = 0; i < kFunctionalCount; ++i) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "cage/placement.h"
 #include "driver/rules.h"
 #include "energy/surface_energy.h"
 #include "mesh/symmetry.h"
@@ -13,17 +14,22 @@
 
 namespace umbilic {
 
-/// A cage refined to a level.
+/// A cage refined to a level, in the unit coordinates of the cage that it comes from.
 struct RefinedCage {
   int level;
   PolygonMesh mesh;
   Points control;
   SymmetryGroup symmetry;  ///< that the optimizer keeps; C1 keeps none
+  Placement placement{};   ///< from unit coordinates back to the cage's own
 };
 
 inline constexpr int kMaxFaces = 2'000'000;
 
-/// A cage, with its symmetry where that is known, so many Catmull-Clark steps from the one that levels count from.
+/// Of a cage after so many Catmull-Clark steps; a double, which does not overflow.
+double faces_after(const PolygonMesh& cage, int steps);
+
+/// A cage, with its symmetry where that is known, so many Catmull-Clark steps from the one that levels count from;
+/// in its own coordinates.
 struct StartingCage {
   const Cage& cage;
   std::optional<SymmetryGroup> symmetry;
@@ -49,6 +55,7 @@ class Surface {
   int level() const { return cage_.level; }
   const PolygonMesh& mesh() const { return cage_.mesh; }
   const SymmetryGroup& symmetry() const { return cage_.symmetry; }
+  const Placement& placement() const { return cage_.placement; }
   /// The control points that the surface was made with.
   const Points& start() const { return cage_.control; }
   /// One patch of each orbit.
@@ -56,7 +63,8 @@ class Surface {
   const JetEvaluator& jets() const;
   const SurfaceEnergy& energy() const;
 
-  /// All energies by the reporting rule; the quadrature error is that of the weighted functional.
+  /// All energies by the reporting rule, the area in the cage's own units; the quadrature error is that of the weighted
+  /// functional.
   EnergyReport report(const Points& control) const;
   /// The weighted functional's value in a report.
   double objective(const EnergyReport& report) const;

@@ -23,6 +23,7 @@ Result<SymmetricCage> symmetric_cage(const Cage& cage, int level, const Points& 
     symmetry = refined(symmetry, mesh);
     mesh = catmull_clark_mesh(mesh);
   }
+  const Placement& placement = prepared->placement;
   const Coordinates coordinates(mesh, symmetry);
   const bool all = orbit_points.rows() == mesh.vertex_count();
   if (orbit_points.rows() != coordinates.orbit_count() && !all) {
@@ -34,7 +35,9 @@ Result<SymmetricCage> symmetric_cage(const Cage& cage, int level, const Points& 
     if (!orbit_points.row(i).allFinite()) return Error{fmt::format("point {} is not finite", i + 1)};
   }
   if (all) return SymmetricCage{to_cage(mesh, orbit_points), std::nullopt, level};
-  return SymmetricCage{to_cage(mesh, coordinates.control_from_orbits(orbit_points)), std::move(symmetry), level};
+  const Points control = coordinates.control_from_orbits(placement.to_unit(orbit_points));
+  symmetry.center = placement.back(symmetry.center);
+  return SymmetricCage{to_cage(mesh, placement.back(control)), std::move(symmetry), level};
 }
 
 }  // namespace umbilic

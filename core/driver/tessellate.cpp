@@ -184,6 +184,11 @@ class Tessellation {
 
 }  // namespace
 
+void put_back(LimitMesh& mesh, const Placement& placement) {
+  mesh.positions = placement.back(mesh.positions);
+  mesh.curvatures = mesh.curvatures.unaryExpr([&](double k) { return std::ldexp(k, -placement.exponent); }).eval();
+}
+
 LimitMesh tessellate(const PolygonMesh& mesh, const SymmetryGroup& group, const PatchLayout& layout,
                      const Points& control, int density) {
   PatchEvaluator patches(layout, [&](const PatchKind& kind) { return PatchBasis(grid_table(kind, density)); });

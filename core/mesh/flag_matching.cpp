@@ -34,7 +34,8 @@ FlagMatching::FlagMatching(const PolygonMesh& mesh, const Points& points, const 
       radius_(mesh.vertex_count()),
       length_(mesh.halfedge_count()),
       component_(mesh.halfedge_count(), -1),
-      by_radius_(mesh.halfedge_count()) {
+      by_radius_(mesh.halfedge_count()),
+      work_left_(kSymmetryWork + kSymmetryWorkPerHalfedge * mesh.halfedge_count()) {
   for (int v = 0; v < mesh.vertex_count(); ++v) radius_[v] = point(v).norm();
   for (int h = 0; h < mesh.halfedge_count(); ++h) {
     length_[h] = (point(mesh.origin(h)) - point(mesh.target(h))).norm();
@@ -143,6 +144,7 @@ bool FlagMatching::extend(int h, Flag image, const Matrix3d* isometry, double to
     reach(mesh_.next(from), image.reversed ? mesh_.previous(to) : mesh_.next(to));
     reach(mesh_.twin(from), mesh_.twin(to));
   }
+  charge(static_cast<double>(queue_.size()));
   // Equal valences and face sizes imply that the map covers the component of `image`; equal component sizes, that it is
   // one to one.
   if (!consistent) {
@@ -151,12 +153,13 @@ bool FlagMatching::extend(int h, Flag image, const Matrix3d* isometry, double to
   return consistent;
 }
 
-std::vector<Flag> FlagMatching::images_of(int h, const Matrix3d& isometry, bool reverses, double tolerance) const {
+std::vector<Flag> FlagMatching::images_of(int h, const Matrix3d& isometry, bool reverses, double tolerance) {
   const int v = mesh_.origin(h), end = mesh_.target(h);
   const auto low = std::lower_bound(by_radius_.begin(), by_radius_.end(), radius_[v] - tolerance,
                                     [&](int other, double radius) { return radius_[mesh_.origin(other)] < radius; });
   std::vector<Flag> images;
   for (auto i = low; i != by_radius_.end() && radius_[mesh_.origin(*i)] <= radius_[v] + tolerance; ++i) {
+    charge(1);
     const Flag image{reverses ? mesh_.twin(*i) : *i, reverses};
     if (components_[component_[*i]].size == components_[component_[h]].size && agree(h, image, &isometry, tolerance) &&
         (isometry * point(end) - point(mesh_.target(*i))).squaredNorm() <= tolerance * tolerance) {
@@ -183,6 +186,7 @@ bool FlagMatching::extend_to_others(const Matrix3d& isometry, double tolerance, 
   };
   for (int c = 0; c < static_cast<int>(components_.size()); ++c) {
     if (c == component_[base_]) continue;
+    if (exhausted()) return false;
     if (!place(components_[c].first, tolerance) && !place(components_[c].first, kLever * tolerance)) return false;
   }
   return true;
@@ -216,6 +220,7 @@ bool FlagMatching::within(const Symmetry& symmetry, double tolerance) const {
 }
 
 std::optional<Symmetry> FlagMatching::symmetry(Flag image, double tolerance) {
+  charge(mesh_.halfedge_count());
   Symmetry result{Matrix3d::Identity(), {image.reversed, std::vector<int>(mesh_.halfedge_count(), -1)}};
   if (!extend(base_, image, nullptr, tolerance, result.map)) return std::nullopt;
   const int dimension = components_[component_[base_]].dimension;

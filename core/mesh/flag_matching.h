@@ -40,7 +40,13 @@ class FlagMatching {
   std::vector<Flag> candidates(double tolerance) const;
 
   /// The symmetry that maps the base flag to `image` and each point to within `tolerance` of its image.
+  /// Also returns nothing if the work runs out before it is found.
   std::optional<Symmetry> symmetry(Flag image, double tolerance);
+
+  /// Counts work on this many half-edges.
+  void charge(double halfedges) { work_left_ -= halfedges; }
+  /// Whether the work has run out, so that existing symmetries may not be found.
+  bool exhausted() const { return work_left_ < 0; }
 
  private:
   struct Component {
@@ -60,7 +66,7 @@ class FlagMatching {
   bool extend(int h, Flag image, const Eigen::Matrix3d* isometry, double tolerance, Automorphism& map);
   /// The flags at the place to which the isometry moves h, ordered by component. Coincident components thus keep their
   /// order, so that products of symmetries are found as well.
-  std::vector<Flag> images_of(int h, const Eigen::Matrix3d& isometry, bool reverses, double tolerance) const;
+  std::vector<Flag> images_of(int h, const Eigen::Matrix3d& isometry, bool reverses, double tolerance);
   /// Extends `map` to all other components, each to the first unused component that lies where the isometry moves it.
   bool extend_to_others(const Eigen::Matrix3d& isometry, double tolerance, Automorphism& map);
   /// The orthogonal matrix that best maps the points that `map` reaches to their images. Points of dimension 2 do not
@@ -77,6 +83,7 @@ class FlagMatching {
   std::vector<int> by_radius_;  ///< half-edges sorted by the radius of their origin
   std::vector<int> queue_;      ///< half-edges that the last extension has reached
   int base_ = -1;
+  double work_left_;
 };
 
 }  // namespace umbilic

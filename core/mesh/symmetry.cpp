@@ -35,8 +35,10 @@ std::vector<Symmetry> find_generators(const PolygonMesh& mesh, FlagMatching& mat
   state[Flag{matching.base(), false}.index()] = kReached;
   for (const Flag candidate : matching.candidates(tolerance)) {
     if (state[candidate.index()] != kUnknown) continue;
+    if (matching.exhausted()) break;
     std::optional<Symmetry> found = matching.symmetry(candidate, tolerance);
     if (found) generators.push_back(std::move(*found));
+    matching.charge(mesh.halfedge_count());
     const Elements orbit =
         elements(generators, found ? Flag{matching.base(), false} : candidate, mesh.halfedge_count());
     for (const Flag flag : orbit.flags) state[flag.index()] = found ? kReached : kRefused;
@@ -97,6 +99,7 @@ SymmetryGroup find_symmetry(const PolygonMesh& mesh, const Points& points) {
   for (int search = 0; search < kMaxSearches; ++search, tolerance /= 4) {
     SymmetryGroup group = trivial;
     group.generators = find_generators(mesh, matching, kErrorsPerImage * tolerance);
+    group.complete = trivial.complete = !matching.exhausted();
     if (group.generators.empty()) break;
     if (complete(group, matching.base(), mesh) && nearly_symmetric(mesh, points, group, kSymmetryTolerance * extent)) {
       return group;

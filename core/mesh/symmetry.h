@@ -17,6 +17,10 @@ namespace umbilic {
 /// sqrt(3)/2 1e-4.) Deviations up to half the tolerance never lose the group.
 inline constexpr double kSymmetryTolerance = 1e-4;
 
+/// The search for symmetries looks at no more than kSymmetryWork + kSymmetryWorkPerHalfedge (number of half-edges)
+/// half-edges. Without this bound many equal components that coincide would take cubic time.
+inline constexpr double kSymmetryWork = 1e8, kSymmetryWorkPerHalfedge = 1e3;
+
 /// An isometry of space, x -> center + isometry (x - center), that maps the points of a mesh as `map` maps its
 /// vertices.
 struct Symmetry {
@@ -33,6 +37,7 @@ struct SymmetryGroup {
   /// Each generator at least doubles the group that those before it generate; empty for C1. Their isometries satisfy
   /// the relations of the group to rounding, even if the points are noisy.
   std::vector<Symmetry> generators;
+  bool complete = true;  ///< false if the search exceeded its bound on work, so that there may be more
 };
 
 /// All isometries that map `mesh` with its `points` to itself, within kSymmetryTolerance. They may exchange components.
@@ -41,6 +46,9 @@ struct SymmetryGroup {
 /// The result is C1 for cages with no well-defined finite group: each component lies on a line through the centroid, or
 /// so many points coincide that some relabelling moves none. A symmetry that turns only some components inside out is
 /// not found; such components would enclose no volume.
+///
+/// If the search exceeds its bound on work (kSymmetryWork), the result is the group that the symmetries found so far
+/// generate, or C1, and it is not `complete`.
 SymmetryGroup find_symmetry(const PolygonMesh& mesh, const Points& points);
 
 /// The same group acting on catmull_clark(mesh).mesh.

@@ -10,22 +10,26 @@
 namespace umbilic {
 namespace {
 
-Result<Cage> made(const GeneratedCage& input) { return generate_cage(input.generator, input.options); }
+Result<CheckedCage> made(const GeneratedCage& input) {
+  Result<Cage> cage = generate_cage(input.generator, input.options);
+  if (!cage) return cage.error();
+  const Result<CageReport> report = validate(*cage);
+  if (!report) return report.error();
+  return CheckedCage{std::move(cage).value(), *report};
+}
 
-Result<Cage> made(const CageText& input) { return read_cage(input.text); }
+Result<CheckedCage> made(const CageText& input) { return read_checked_cage(input.text); }
 
-Result<Cage> made(const CagePath& input) {
+Result<CheckedCage> made(const CagePath& input) {
   return Error{fmt::format("cage.file: {} is not read here; only the command line opens files", input.file)};
 }
 
 }  // namespace
 
 Result<CheckedCage> cage_of(const CageInput& input) {
-  Result<Cage> cage = std::visit([](const auto& alternative) { return made(alternative); }, input);
+  Result<CheckedCage> cage = std::visit([](const auto& alternative) { return made(alternative); }, input);
   if (!cage) return named(input, cage.error());
-  const Result<CageReport> report = validate(*cage);
-  if (!report) return named(input, report.error());
-  return CheckedCage{std::move(cage).value(), *report};
+  return cage;
 }
 
 Error named(const CageInput& input, Error error) {

@@ -3,14 +3,10 @@
 /// Makes the cage that a problem names.
 #pragma once
 
+#include "cage/read.h"
 #include "problem/problem.h"
 
 namespace umbilic {
-
-struct CheckedCage {
-  Cage cage;
-  CageReport report;
-};
 
 /// Errors begin with the cage's name, where it has one. A path is an error: no layer below the command line opens
 /// files.

@@ -13,7 +13,7 @@ struct RunOptions {
   Weights weights{};  ///< the text form has them beside the options, as the terms of a problem
   CapKind cap = CapKind::kSmooth;
   int first_level = 0;        ///< >= 0, Catmull-Clark steps from the cage to the first mesh whose points are moved
-  int last_level = 2;         ///< >= first_level
+  int last_level = 2;         ///< >= first_level; limits: see Run::create
   int max_iterations = 1000;  ///< >= 0, per level
   double tolerance = 1e-6;    ///< >= 0: see StopReason::kConverged
   bool symmetry = true;       ///< whether the surface keeps the cage's symmetry

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,18 +22,23 @@ struct FunctionalValues {
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
-    for (int i = 0; i < kFunctionalCount; ++i) visit(kFunctionalNames[i], self.values[i]);
+    for (int i = 0; i < kFunctionalCount; ++i) visit(kFunctionalNames[i], self.values[i], "Of this functional");
   }
 };
 
 struct EnergyReport {
   /// In the order of `Functional`; third-order values include the factor area. NaN where the quantity diverges.
   std::array<double, kFunctionalCount> functionals{};
-  double area = 0;
+  double area = 0;      ///< in the units of the input; infinite or 0 where a double cannot hold it
   double gaussian = 0;  ///< integral of the Gaussian curvature
   /// |objective by the reporting rule - objective by the minimizing rule|, of the run's functional (of bending, where
   /// there is none).
   double quadrature_error = 0;
+  /// By how much, relatively, each functional would change if the coordinates of the input were moved at random by half
+  /// a unit in their last places, which is all that is known of what they were rounded from. Empty for a cage about the
+  /// origin (cage/placement.h), where it is no more than other rounding errors; NaN where the quantity diverges. See
+  /// driver/input_rounding.h.
+  std::optional<FunctionalValues> input_rounding{};
   bool whole = true;  ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
 
   template <class Visit, class Self>
@@ -44,6 +50,7 @@ struct EnergyReport {
     visit("gaussian", self.gaussian, "Integral of the Gaussian curvature");
     visit("quadrature_error", self.quadrature_error, "By how much the reporting and the minimizing rule differ");
     visit("whole", self.whole, "Whether the Gaussian curvature is that of a closed surface");
+    visit("input_rounding", self.input_rounding, "Relative changes by the rounding of a cage far from the origin");
   }
 };
 
@@ -61,6 +68,7 @@ struct LevelReport {
   int metrics = 0;                                ///< how often the metric was built
   int quadrature = 0;     ///< steps by which its rules became finer than usual, see driver/rules.h
   bool evaluable = true;  ///< whether the moved mesh is the evaluated one; coarser ones only prepare the first of these
+  double predicted_decrease = std::numeric_limits<double>::quiet_NaN();  ///< NaN before the first iteration
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
@@ -77,6 +85,7 @@ struct LevelReport {
     visit("metrics", self.metrics, "How often the metric was built");
     visit("quadrature", self.quadrature, "Steps by which its quadrature rules became finer than usual");
     visit("evaluable", self.evaluable, "Whether the moved mesh is the evaluated one; coarser ones only prepare it");
+    visit("predicted_decrease", self.predicted_decrease, "What the level could still gain when it ended, as predicted");
   }
 };
 
@@ -84,11 +93,14 @@ struct LevelReport {
 struct GroupReport {
   std::string name;  ///< Schoenflies symbol
   int order = 1;
+  /// Why there may be more symmetry than this; empty where the search was complete.
+  std::optional<std::string> incomplete{};
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("name", self.name, "Schoenflies symbol, C1 where there is no symmetry");
     visit("order", self.order, "Number of its elements");
+    visit("incomplete", self.incomplete, "Why there may be more symmetry than this, where the search was given up");
   }
 };
 

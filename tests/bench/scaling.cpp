@@ -51,8 +51,8 @@ std::string scaling() {
     rows.push_back(
         fmt::format(R"({{"patches":{},"unknowns":{},"evaluationSeconds":{:.6g},"solveSeconds":{:.6g},"evaluations":{},)"
                     R"("metric":"{}","metrics":{},"stop":"{}","energy":{:.10g}}})",
-                    report.patches, report.unknowns, evaluation_seconds(cage), solve, report.evaluations, name_of(report.metric),
-                    report.metrics, name_of(report.stop), report.energy_reported));
+                    report.patches, report.unknowns, evaluation_seconds(cage), solve, report.evaluations,
+                    name_of(report.metric), report.metrics, name_of(report.stop), report.energy_reported));
   }
   return joined(rows);
 }

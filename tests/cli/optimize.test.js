@@ -78,6 +78,7 @@ describe('a run', () => {
       metrics: expect.any(Number),
       quadrature: 0,
       evaluable: true,
+      predicted_decrease: expect.any(Number),
     };
     expect(report.levels).toEqual([level, level]);
     expect(report.levels).toMatchObject([

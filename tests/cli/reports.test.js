@@ -28,7 +28,7 @@ describe('info', () => {
       umbilic: 'cage',
       version: 1,
       program: expect.stringMatching(/^\d+\.\d+\.\d+$/),
-      cage: { ...counts, components: [counts] },
+      cage: { ...counts, components: [counts], repairs: [] },
       valences: { 4: 18, 6: 4 },
       face_sizes: { 4: 24 },
       first_level: 0,

@@ -51,6 +51,7 @@ export function entry(shape, functional, more = {}) {
       metrics: 3,
       quadrature: 0,
       evaluable: true,
+      predicted_decrease: 1e-5,
     })),
     limit: { status: 'converging', energy: 112.767, order: 5.7, error: 0.0076 },
     certificate: { level: 3, unknowns: 4602, gauge: 10, tau: 0.001, negative: 0 },

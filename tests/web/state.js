@@ -77,6 +77,7 @@ export function levelReport(level, more = {}) {
     metrics: 1,
     evaluable: true,
     quadrature: 0,
+    predicted_decrease: 1e-5,
     ...more,
   };
 }

@@ -235,6 +235,94 @@ TEST(Validate, the_same_face_three_times_is_refused_and_twice_is_a_closed_pillow
   EXPECT_EQ(report_of(pillow).genus, 0);
 }
 
+TEST(Validate, points_on_a_line_or_in_one_place_are_refused_wherever_they_are) {
+  for (const double size : {1e-200, 1., 1e200}) {
+    for (const double shift : {0., 1e9}) {
+      Cage cage = generated("cube");
+      cage.vertices = Points::Constant(8, 3, size * (1 + shift));
+      EXPECT_EQ(error_of(cage), "face 1 is part of no surface: all vertices of the cage coincide");
+      for (int v = 0; v < 8; ++v) cage.vertices.row(v) << v * size, (2 * v + shift) * size, (3 - v) * size;
+      EXPECT_EQ(error_of(cage), "face 1 is part of no surface: all vertices of the cage lie on one line");
+    }
+  }
+}
+
+TEST(Validate, a_component_on_a_line_is_refused_by_its_first_face) {
+  Cage cage = together({generated("torus"), generated("cube")}, 4);
+  cage.vertices.bottomRows(8).rightCols(2).setZero();
+  EXPECT_EQ(error_of(cage),
+            "face 49 is part of no surface: all vertices of the component of this face lie on one line");
+}
+
+TEST(Validate, a_torus_whose_tube_has_no_radius_is_refused) {
+  Cage cage = generated("torus");
+  for (int v = 0; v < 48; ++v) cage.vertices.row(v) = cage.vertices.row(v / 8 * 8).eval();
+  EXPECT_EQ(error_of(cage), "face 1 is part of no surface: all faces of the cage have zero area");
+}
+
+TEST(Validate, flat_cages_and_double_covers_are_cages) {
+  Cage cage = generated("cube");
+  cage.vertices.col(2).setZero();
+  EXPECT_EQ(report_of(cage).genus, 0);
+}
+
+/// Two triangles and two faces without area: a tetrahedron in whose second and third vertices coincide.
+Cage two_equal_points() {
+  Cage cage = cage_of(tetrahedron_obj());
+  cage.vertices << 0.5, 1, 1, 1, -1, -1, 1, -1, -1, -1.2, -1, 1;
+  return cage;
+}
+
+TEST(Validate, where_there_is_no_volume_faces_that_agree_stay_as_they_are) {
+  Cage double_cube = generated("cube");
+  double_cube.vertices.col(0).setZero();
+  for (Cage cage : {two_equal_points(), double_cube}) {
+    for (const bool reversed : {false, true}) {
+      for (const double shift : {0., 1e8}) {
+        Cage given = cage;
+        given.vertices.array() += shift;
+        if (reversed) {
+          for (std::vector<int>& face : given.faces) std::reverse(face.begin() + 1, face.end());
+        }
+        const std::vector<std::vector<int>> faces = given.faces;
+        std::rotate(given.faces.begin(), given.faces.begin() + 1, given.faces.end());
+        const Result<CageReport> report = validate(given);
+        ASSERT_TRUE(report.ok());
+        EXPECT_TRUE(report->repairs.empty());
+        std::rotate(given.faces.begin(), given.faces.end() - 1, given.faces.end());
+        EXPECT_EQ(given.faces, faces);
+      }
+    }
+  }
+}
+
+TEST(Validate, where_there_is_no_volume_most_faces_stay_as_they_are_whichever_comes_first) {
+  const Cage cage = two_equal_points();
+  for (std::size_t wrong = 0; wrong < 4; ++wrong) {
+    Cage mixed = cage;
+    std::reverse(mixed.faces[wrong].begin() + 1, mixed.faces[wrong].end());
+    const Result<CageReport> report = validate(mixed);
+    ASSERT_TRUE(report.ok());
+    EXPECT_EQ(mixed.faces, cage.faces) << wrong;
+    EXPECT_EQ(report->repairs,
+              std::vector<std::string>{"turned 1 face, so that all faces agree on one side as the outside"});
+  }
+}
+
+TEST(Validate, every_repair_is_said) {
+  const Cage outward = generated("cube");
+  EXPECT_TRUE(report_of(outward).repairs.empty());
+  Cage cage = outward;
+  for (std::vector<int>& face : cage.faces) std::reverse(face.begin() + 1, face.end());
+  cage.vertices.conservativeResize(10, 3);
+  cage.vertices.bottomRows(2).setOnes();
+  EXPECT_EQ(report_of(cage).repairs,
+            (std::vector<std::string>{"turned 6 faces, so that what pointed inward points outward",
+                                      "dropped 2 vertices that no face uses"}));
+  const std::string text = "v 9 9 9\nv 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 2 3 4\nf 2 4 5\nf 2 5 3\nf 3 5 4\n";
+  EXPECT_EQ(read_checked_cage(text)->report.repairs, std::vector<std::string>{"dropped 1 vertex that no face uses"});
+}
+
 TEST(Validate, programs_hear_of_bad_indices_and_coordinates_too) {
   Cage cage = generated("cube");
   EXPECT_EQ(error_of(Cage{}), "the cage has no faces");

@@ -35,7 +35,7 @@ TEST(LimitMesh, is_a_closed_mesh_of_the_same_genus_with_density_squared_quads_pe
   for (const CapKind cap : {CapKind::kNone, CapKind::kFlat, CapKind::kSmooth}) {
     for (const int density : {1, 2, 5}) {
       const umbilic::Run run = started(*generate_cage("two-3"), cap, 1);
-      const LimitMesh mesh = run.limit_mesh(density);
+      const LimitMesh mesh = *run.limit_mesh(density);
       EXPECT_EQ(mesh.quads.size(), run.control_mesh().faces.size() * density * density);
       Cage cage = polygons(mesh);
       const std::size_t vertices = cage.vertices.rows();
@@ -79,7 +79,7 @@ TEST(LimitMesh, moved_by_the_symmetry_group_is_that_of_all_patches) {
 /// Faces' normals differ from the vertices' by no more than the surface turns within a quad.
 TEST(LimitMesh, has_unit_normals_that_agree_with_its_faces) {
   for (const CapKind cap : {CapKind::kFlat, CapKind::kSmooth}) {
-    const LimitMesh mesh = started(*generate_cage("two-3"), cap, 2).limit_mesh(6);
+    const LimitMesh mesh = *started(*generate_cage("two-3"), cap, 2).limit_mesh(6);
     for (const auto& quad : mesh.quads) {
       const Vector3 a = mesh.positions.row(quad[2]) - mesh.positions.row(quad[0]);
       const Vector3 b = mesh.positions.row(quad[3]) - mesh.positions.row(quad[1]);
@@ -99,7 +99,7 @@ TEST(LimitMesh, of_a_minimized_cube_has_the_curvatures_of_a_sphere) {
   umbilic::Run run = *umbilic::Run::create(*generate_cage("cube"), options);
   while (!run.step(10)) {
   }
-  const LimitMesh mesh = run.limit_mesh(3);
+  const LimitMesh mesh = *run.limit_mesh(3);
   const double radius = std::sqrt(run.energies().area / (4 * 3.14159265358979323846));
   for (int v = 0; v < mesh.positions.rows(); ++v) {
     EXPECT_NEAR(mesh.curvatures(v, 0) * radius, 1, 0.15) << "vertex " << v;

@@ -92,6 +92,21 @@ TEST(Run, builds_the_metric_that_was_chosen) {
   }
 }
 
+TEST(Run, reports_what_a_level_could_still_gain_which_is_below_the_tolerance_where_it_has_converged) {
+  const RunOptions options = bending(0, 1);
+  umbilic::Run run = started(*generate_cage("two-3"), options);
+  finish(run);
+  for (const LevelReport& level : run.levels()) {
+    ASSERT_EQ(level.stop, StopReason::kConverged);
+    EXPECT_LE(level.predicted_decrease, options.tolerance * level.energy);
+  }
+  RunOptions none = options;
+  none.max_iterations = 0;
+  umbilic::Run still = started(*generate_cage("two-3"), none);
+  finish(still);
+  EXPECT_TRUE(std::isnan(still.levels()[0].predicted_decrease)) << "before the first iteration";
+}
+
 TEST(Run, extrapolates_the_evaluable_levels_that_have_ended) {
   umbilic::Run run = started(*generate_cage("two-4", {.family = FrameFamily::kHub}), bending(0, 3));
   EXPECT_EQ(name_of(run.limit().status), "too_few_levels");

@@ -32,7 +32,7 @@ Minimized minimize(const Weights& weights, int level) {
   umbilic::Run run = *umbilic::Run::create(*generate_cage("torus"), options);
   while (!run.step(1000)) {
   }
-  return {run.energies(), ratio_of(run.limit_mesh(2))};
+  return {run.energies(), ratio_of(*run.limit_mesh(2))};
 }
 
 /// The distance falls to a fifth, while the mesh width falls to an eighth.

@@ -78,6 +78,31 @@ TEST(SymmetryDegenerate, two_components_in_one_place_have_no_group) {
   EXPECT_EQ(symmetry_of(together({cube(), cube()})).name, "C1");
 }
 
+TEST(SymmetryDegenerate, the_search_ends_among_hundreds_of_equal_components_in_one_place_and_says_that_it_gave_up) {
+  const Cage cage = together(std::vector<Cage>(300, cube()));
+  const PolygonMesh mesh(cage);
+  const SymmetryGroup group = find_symmetry(mesh, cage.vertices);
+  EXPECT_FALSE(group.complete);
+  // Whatever it found is a group of symmetries: its name may be C1's or any other's that the cube has.
+  EXPECT_EQ(48 % group.order, 0);
+  expect_exact(mesh, group);
+  for (const Symmetry& g : group.generators) {
+    expect_automorphism(mesh, g.map);
+    EXPECT_LT(error_of(mesh, cage.vertices, group.center, g), 1e-14);
+  }
+}
+
+TEST(SymmetryDegenerate, the_search_for_the_group_of_many_components_in_their_own_places_is_complete) {
+  std::vector<Cage> cubes;
+  for (int i = 0; i < 60; ++i) {
+    cubes.push_back(transformed(cube(), rotation(i / 60., Vector3::UnitZ()) * 0.1,
+                                rotation(i / 60., Vector3::UnitZ()) * Vector3(5, 0, 0)));
+  }
+  const SymmetryGroup group = symmetry_of(together(cubes));
+  EXPECT_TRUE(group.complete);
+  EXPECT_EQ(group.name, "D60h");
+}
+
 TEST(SymmetryDegenerate, two_small_components_in_one_place_move_with_a_larger_one_that_is_alone) {
   const Cage small = transformed(tetrahedron(), 0.5 * Matrix3::Identity());
   const Cage cage = together({small, transformed(cube(), 3 * Matrix3::Identity()), small});

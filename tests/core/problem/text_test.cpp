@@ -38,7 +38,8 @@ Report full_report() {
   report.problem = blend_of_a_frame();
   report.cage = {22, 48, 24, 2, {{22, 48, 24, 2}}};
   report.group = {"D3h", 12};
-  report.levels = {{0, 24, 22, 1.5, 1.25, 3, 4, 0.125, StopReason::kRoundOff, MetricChoice::kHessian, 2, 1, false}};
+  report.levels = {
+      {0, 24, 22, 1.5, 1.25, 3, 4, 0.125, StopReason::kRoundOff, MetricChoice::kHessian, 2, 1, false, 0.0625}};
   report.limit = {LimitStatus::kNotConverging, 113, kNan, kNan};
   report.energies = {{1, 2, 3, 4, kNan, 6}, 7, -8, 1e-17, false};
   report.certificate = CertificateReport{1, 66, 10, 1e-3, 4};
