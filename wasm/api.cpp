@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The contract but for runs: versions, names, cages, tori and meshes.
+/// The contract except for runs: versions, names, cages, tori and meshes.
 #include "wasm/api.h"
 
 #include <fmt/format.h>

@@ -28,12 +28,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Rises when a function or a struct of this file changes what it means. */
+/** Increases when the meaning of a function or struct in this file changes. */
 #define UMBILIC_API_VERSION 2
 
-/** Bytes of the longest text that is read. */
+/** Length of the longest text that is read, in bytes. */
 #define UMBILIC_MAX_TEXT 268435456
-/** Most quads of a limit mesh: patches times the square of the density. */
+/** Largest number of quads of a limit mesh: patches times the square of the density. */
 #define UMBILIC_MAX_LIMIT_QUADS 4000000
 
 #ifdef __cplusplus
@@ -62,10 +62,10 @@ typedef struct umbilic_text {
   size_t length;
 } umbilic_text;
 
-/** UMBILIC_API_VERSION of the library, which a caller compares with that of its header. */
+/** UMBILIC_API_VERSION of the library, to be compared with that of the header. */
 int32_t umbilic_api_version(void);
 
-/** Program version, static storage. */
+/** Version of the program, in static storage. */
 const char* umbilic_version(void);
 
 /**
@@ -74,16 +74,16 @@ const char* umbilic_version(void);
  */
 size_t umbilic_copy_message(char* buffer, size_t capacity);
 
-/** JSON arrays of names: of the generated cages, and of the functionals. */
+/** JSON arrays: the names of the generated cages, and those of the functionals. */
 umbilic_status umbilic_cage_names(umbilic_text* names);
 umbilic_status umbilic_functional_names(umbilic_text* names);
 
 /* ---- cages ---- */
 
-/** From a problem's "cage": {"generator": "two-3", …} or {"text": "the text of an OBJ or OFF file"}. */
+/** Makes a cage from a problem's "cage": {"generator": "two-3", …} or {"text": "the text of an OBJ or OFF file"}. */
 umbilic_status umbilic_cage_create(const char* cage, size_t length, umbilic_cage** out);
 
-/** Does nothing with null, as all that destroy. */
+/** Like all functions that destroy, does nothing if the handle is null. */
 void umbilic_cage_destroy(umbilic_cage* cage);
 
 /** A report's "cage": numbers of vertices, edges and faces, genus, components. */
@@ -94,20 +94,20 @@ umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out);
 
 /* ---- tori of revolution, in closed form ---- */
 
-/** Of the torus whose tube has `ratio` of its radius, 0 < ratio < 1: {"bending": …, …}. */
+/** Energies of the torus whose tube has radius `ratio` times its radius, 0 < ratio < 1: {"bending": …, …}. */
 umbilic_status umbilic_torus_energies(double ratio, umbilic_text* energies);
 
 /**
- * The torus of least energy, of a problem's "terms": {"ratio", "energy", "attained"}. The ratio is null where all have
- * the same energy; attained is false where the energy is the infimum as the ratio, then 0, tends to 0.
+ * The torus of least energy, for a problem's "terms": {"ratio", "energy", "attained"}. The ratio is null if all tori
+ * have the same energy. If ever thinner tori approach the infimum, ratio is 0, energy the infimum and attained false.
  */
 umbilic_status umbilic_torus_minimizer(const char* terms, size_t length, umbilic_text* minimizer);
 
 /* ---- one run ---- */
 
 /**
- * Begins the run that a problem asks for; from a report, the run that goes on where the report ended. `points`, where
- * it is not null, has 3 doubles for each of `count` points, which take the place of the problem's "start.points".
+ * Begins the run of a problem, or, given a report, the run that continues where the report ended. `points`, unless
+ * null, has 3 doubles for each of `count` points and replaces the problem's "start.points".
  */
 umbilic_status umbilic_run_create(const char* problem, size_t length, const double* points, size_t count,
                                   umbilic_run** out);
@@ -115,15 +115,15 @@ umbilic_status umbilic_run_create(const char* problem, size_t length, const doub
 void umbilic_run_destroy(umbilic_run* run);
 
 /**
- * Does up to `units` >= 0 units of work: one energy evaluation each, or one part of a level's preparation of no greater
- * cost. `done` receives 1 when the run is done, else 0.
+ * Does up to `units` >= 0 units of work. A unit is one energy evaluation, or a part of a level's preparation that costs
+ * no more. `done` receives 1 if the run has ended, else 0.
  */
 umbilic_status umbilic_run_step(umbilic_run* run, int32_t units, int32_t* done);
 
-/** Ends the run; what there is so far is its result. */
+/** Ends the run. Its result is what has been computed so far. */
 umbilic_status umbilic_run_cancel(umbilic_run* run);
 
-/** What there is to say of a run, each under the name that it has in a report. */
+/** The parts of a run that can be asked for, named as in a report. */
 typedef enum umbilic_part {
   UMBILIC_PART_PROGRESS = 0, /* in no report: phase, level, evaluations, energy, …; see core/problem/progress.h */
   UMBILIC_PART_PROBLEM = 1,  /* complete, with its version */
@@ -136,12 +136,12 @@ typedef enum umbilic_part {
 
 umbilic_status umbilic_run_part(const umbilic_run* run, umbilic_part part, umbilic_text* text);
 
-/** All of it, with the surface. `certificate`, unless null, is one of this run that is ready. */
+/** The complete report, with the surface. `certificate` is null or a ready certificate of this run. */
 umbilic_status umbilic_run_report(const umbilic_run* run, const umbilic_certificate* certificate, umbilic_text* report);
 
 /**
- * The best surface so far as a problem's "start" has it: the level, and 3 doubles for each of `count` points, which
- * live until the next call on the run.
+ * The best surface so far, as in a problem's "start": the level, and 3 doubles for each of `count` points, which stay
+ * valid until the next call on the run.
  */
 umbilic_status umbilic_run_state(umbilic_run* run, int32_t* level, const double** points, size_t* count);
 
@@ -149,33 +149,36 @@ umbilic_status umbilic_run_state(umbilic_run* run, int32_t* level, const double*
 umbilic_status umbilic_run_control_mesh(const umbilic_run* run, umbilic_mesh** out);
 
 /**
- * The limit surface of the best surface so far, `density` >= 1 quads along each edge of a patch, at most
- * UMBILIC_MAX_LIMIT_QUADS in all.
+ * The limit surface of the best surface so far, with `density` >= 1 quads along each edge of a patch, and at most
+ * UMBILIC_MAX_LIMIT_QUADS quads in total.
  */
 umbilic_status umbilic_run_limit_mesh(const umbilic_run* run, int32_t density, umbilic_mesh** out);
 
-/* ---- whether the best surface is a minimum among all surfaces near it, symmetric or not ---- */
+/* ---- certificates: whether a surface is a minimum among all surfaces near it, symmetric or not ---- */
 
-/** Of the best surface so far; keeps no reference to the run. Fails for flat caps and very large meshes. */
+/**
+ * Begins a certificate of the best surface so far. Keeps no reference to the run. Fails for flat caps and very large
+ * meshes.
+ */
 umbilic_status umbilic_run_certify(const umbilic_run* run, umbilic_certificate** out);
 
 void umbilic_certificate_destroy(umbilic_certificate* certificate);
 
 /**
- * Does up to `units` >= 0 units of about the cost of an energy evaluation, the last one far more. `done` receives 1
- * when the report is ready, else 0. Fails where rounding hides the signs of the eigenvalues.
+ * Does up to `units` >= 0 units of work. Each costs about one energy evaluation, the last one far more. `done` receives
+ * 1 if the report is ready, else 0. Fails if rounding hides the signs of the eigenvalues.
  */
 umbilic_status umbilic_certificate_step(umbilic_certificate* certificate, int32_t units, int32_t* done);
 
-/** In [0, 1]. */
+/** The completed fraction, in [0, 1]. */
 umbilic_status umbilic_certificate_progress(const umbilic_certificate* certificate, double* progress);
 
-/** A report's "certificate", once it is ready. */
+/** A report's "certificate". The certificate must be ready. */
 umbilic_status umbilic_certificate_report(const umbilic_certificate* certificate, umbilic_text* report);
 
 /* ---- meshes ---- */
 
-/** Arrays of a mesh, which live as long as its handle. Vertices are counted from 0. */
+/** Arrays of a mesh, which stay valid as long as its handle. Vertices are numbered from 0. */
 typedef struct umbilic_mesh_arrays {
   const float* positions;    /* 3 per vertex, from the centre, so that a small mesh far away keeps its digits */
   const float* normals;      /* 3 per vertex; null for control meshes */
@@ -190,7 +193,7 @@ typedef struct umbilic_mesh_arrays {
 
 umbilic_status umbilic_mesh_view(const umbilic_mesh* mesh, umbilic_mesh_arrays* arrays);
 
-/** OBJ text with full digits: the polygons of a control mesh, the quads of a limit mesh with normals. */
+/** OBJ text with all digits: the polygons of a control mesh, or the quads of a limit mesh with normals. */
 umbilic_status umbilic_mesh_obj(const umbilic_mesh* mesh, umbilic_text* obj);
 
 void umbilic_mesh_destroy(umbilic_mesh* mesh);

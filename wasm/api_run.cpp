@@ -16,7 +16,7 @@ static_assert(kMaxLimitQuads == UMBILIC_MAX_LIMIT_QUADS);
 
 namespace {
 
-/// Puts points in the place of the problem's.
+/// Replaces the points of the problem.
 umbilic_status take_points(Problem& problem, const double* points, size_t count) {
   if (!points) return count == 0 ? UMBILIC_OK : fail(UMBILIC_BAD_ARGUMENT, "a null pointer");
   if (!problem.start) return fail(UMBILIC_BAD_ARGUMENT, "points without the problem's start, which tells their level");
@@ -31,14 +31,15 @@ bool usable(const Handle& handle) {
   return !handle.broken;
 }
 
-/// Whether there is a report.
+/// Whether the report can be read.
 bool ready(const umbilic_certificate& certificate) {
   const bool there = certificate.ended && certificate.certificate.report().ok();
   if (!there) fail(UMBILIC_BAD_ARGUMENT, "the certificate is not ready");
   return there;
 }
 
-/// `work` changes what is behind the handle: where it throws, nobody knows how far it came.
+/// Runs `work`, which changes the object behind the handle. If it throws, the object may be half changed, so it is
+/// marked as broken.
 template <class Handle, class Work>
 auto changing(Handle& handle, const Work& work) {
   handle.broken = true;

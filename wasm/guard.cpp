@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The texts of each thread.
+/// The texts that are kept for each thread.
 #include "wasm/guard.h"
 
 namespace umbilic::api {
@@ -17,7 +17,7 @@ umbilic_status fail(umbilic_status status, std::string_view message) noexcept {
   try {
     g_message = message;
   } catch (const std::bad_alloc&) {
-    g_message = "no memory";  // short enough to need none
+    g_message = "no memory";  // short enough to need no allocation
   }
   return status;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What every function of the contract goes through: no exception leaves it, and what it says of a failure is kept.
+/// The wrapper of every function of the contract: turns exceptions into statuses and keeps the message of a failure.
 #pragma once
 
 #include <exception>
@@ -14,15 +14,15 @@
 
 namespace umbilic::api {
 
-/// The words of the last failure on this thread.
+/// The message of the last failure on this thread.
 const std::string& last_message() noexcept;
 
-/// Remembers the words and returns the status.
+/// Keeps the message and returns the status.
 umbilic_status fail(umbilic_status status, std::string_view message) noexcept;
 
 inline umbilic_status fail(const Error& error) noexcept { return fail(UMBILIC_BAD_INPUT, error.message); }
 
-/// Whether all of the caller's pointers are there; otherwise remembers that one is not.
+/// Whether none of the caller's pointers is null; otherwise keeps a message.
 template <class... Pointers>
 bool all_given(const Pointers*... pointers) noexcept {
   const bool given = (... && (pointers != nullptr));
@@ -46,7 +46,7 @@ umbilic_status guarded(const Body& body) noexcept {
   }
 }
 
-/// Hands out a text that lives until the next one of this thread.
+/// Returns a text to the caller, valid until the next one on this thread.
 umbilic_status answer(std::string text, umbilic_text* out) noexcept;
 
 }  // namespace umbilic::api

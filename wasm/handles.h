@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What stands behind the handles of the contract.
+/// The objects behind the handles of the contract.
 #pragma once
 
 #include "driver/drawable.h"
@@ -14,25 +14,25 @@ struct umbilic_cage {
 
 struct umbilic_run {
   umbilic::ProblemRun run;
-  umbilic::SurfaceState state{};  // what the caller has last been given
-  bool broken = false;            // a step ran out of memory, and left the run in no order
+  umbilic::SurfaceState state{};  // the state that the caller received last
+  bool broken = false;            // a step ran out of memory, so the run may be inconsistent
 };
 
 struct umbilic_certificate {
   umbilic::Certificate certificate;
-  bool ended = false;  // with a report, or with why there is none
+  bool ended = false;  // has a report, or failed
   bool broken = false;
 };
 
 struct umbilic_mesh {
-  umbilic::Cage cage;        // polygons with full digits; empty for a limit mesh
-  umbilic::LimitMesh limit;  // the same; empty for a control mesh
+  umbilic::Cage cage;        // polygons in double precision; empty for a limit mesh
+  umbilic::LimitMesh limit;  // the same for a limit mesh; empty for a control mesh
   umbilic::DrawableMesh drawable;
 };
 
 namespace umbilic::api {
 
-/// New handles for the caller.
+/// Returns new handles to the caller.
 inline void hand_out(Cage cage, umbilic_mesh** out) {
   DrawableMesh drawn = drawable(cage);
   *out = new umbilic_mesh{std::move(cage), {}, std::move(drawn)};

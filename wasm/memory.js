@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Loads the core, calls it, and moves values in and out of it. The only file that touches WebAssembly memory; views
- * of it die when it grows, so they are taken anew after every call. Whatever fails reaches the caller as an `Error` with
- * words.
+ * @file Loads the core, calls it, and copies values in and out of it. This is the only file that touches WebAssembly
+ * memory. Views of that memory become invalid when it grows, so they are taken again after every call. Every failure
+ * reaches the caller as an `Error` with a message.
  */
 
 import createCore from '../build/wasm/umbilic-core.mjs';
@@ -10,15 +10,15 @@ import createCore from '../build/wasm/umbilic-core.mjs';
 /** @import {Core} from '../build/wasm/umbilic-core.mjs' */
 /** @import {Mesh} from './types.js' */
 
-/** What a user's cage or problem did wrong; `message` names the place. */
+/** Something is wrong with the user's cage or problem; `message` names the place. */
 export class InputError extends Error {
   name = 'InputError';
 }
 
-/** UMBILIC_API_VERSION of the contract that this file speaks. */
+/** UMBILIC_API_VERSION of the contract for which this file was written. */
 const API_VERSION = 2;
 
-/** Bytes for what a call hands back: the largest is umbilic_mesh_arrays, eight words of 32 bits. */
+/** Size of the buffer for a call's results; the largest is umbilic_mesh_arrays, eight words of 32 bits. */
 const SCRATCH_BYTES = 128;
 
 const wasmUrl = new URL('../build/wasm/umbilic-core.wasm', import.meta.url);
@@ -28,11 +28,11 @@ let loaded = null;
 /** @type {Promise<void> | null} */
 let loading = null;
 let scratch = 0;
-/** Why the module takes no more calls. @type {Error | null} */
+/** Why the module can no longer be called; null if it can. @type {Error | null} */
 let broken = null;
 
 /**
- * In Node the glue cannot fetch, so the binary is read here.
+ * Reads the binary in Node, where Emscripten's loader cannot fetch it.
  * @returns {Uint8Array | undefined} undefined in a browser
  */
 function readBinaryInNode() {
@@ -54,7 +54,7 @@ async function instantiate(options) {
 
 /**
  * Loads the module once; later calls return the same promise. In Node the binary is read from the build folder unless
- * given.
+ * it is passed.
  * @param {{wasmBinary?: ArrayBuffer | Uint8Array}} [options]
  * @returns {Promise<void>}
  */
@@ -73,7 +73,8 @@ function core() {
 }
 
 /**
- * Runs something in the module. A trap leaves its memory in no order, so that it takes no calls afterwards.
+ * Runs a function in the module. A trap may leave the module's memory inconsistent, so the module refuses all later
+ * calls.
  * @template T
  * @param {(module: Core) => T} run
  * @returns {T}
@@ -97,7 +98,7 @@ function allocate(bytes) {
   return pointer;
 }
 
-/** The words of the last failure. @returns {string} */
+/** The message of the last failure. @returns {string} */
 function lastMessage() {
   return inModule((module) => {
     const length = module._umbilic_copy_message(scratch, SCRATCH_BYTES) >>> 0;
@@ -129,27 +130,27 @@ export function call(name, ...args) {
 /** Calls a function that cannot fail. @param {string} name @param {...number} args @returns {number} */
 export const plainCall = (name, ...args) => inModule((module) => module[`_umbilic_${name}`](...args));
 
-/** Frees what a handle holds, unless the module has broken off. @param {string} type @param {number} handle */
+/** Destroys the object of a handle, unless the module can no longer be called. @param {string} type @param {number} handle */
 export function destroy(type, handle) {
   if (handle && !broken) plainCall(`${type}_destroy`, handle);
 }
 
-/** The words of 32 bits that the last call has handed back. @param {number} count */
+/** The first 32-bit words that the last call has written. @param {number} count */
 const handedBack = (count) => Array.from(core().HEAPU32.subarray(scratch >>> 2, (scratch >>> 2) + count));
 
-/** The word that a call hands back last: a handle, or a yes or no. @param {string} name @param {...number} args */
+/** The result of a call whose last argument receives a 32-bit word: a handle or a truth value. @param {string} name @param {...number} args */
 export function wordFrom(name, ...args) {
   call(name, ...args, scratch);
   return handedBack(1)[0];
 }
 
-/** The number that a call hands back last. @param {string} name @param {...number} args */
+/** The result of a call whose last argument receives a double. @param {string} name @param {...number} args */
 export function numberFrom(name, ...args) {
   call(name, ...args, scratch);
   return core().HEAPF64[scratch >>> 3];
 }
 
-/** The text that a call hands back last. @param {string} name @param {...number} args @returns {string} */
+/** The result of a call whose last argument receives a text. @param {string} name @param {...number} args @returns {string} */
 export function textFrom(name, ...args) {
   call(name, ...args, scratch);
   const [pointer, length] = handedBack(2);
@@ -157,16 +158,16 @@ export function textFrom(name, ...args) {
 }
 
 /**
- * What a text in JSON says. It knows null only in the place of a number that is not finite.
+ * Parses JSON text of the core, in which null always stands for a number that is not finite.
  * @param {string} text
  * @returns {any}
  */
 export const parse = (text) => JSON.parse(text, (_, value) => (value === null ? NaN : value));
 
-/** The value that a call hands back last, as JSON. @param {string} name @param {...number} args @returns {any} */
+/** The result of a call whose last argument receives JSON text. @param {string} name @param {...number} args @returns {any} */
 export const valueFrom = (name, ...args) => parse(textFrom(name, ...args));
 
-/** A string at a pointer that a plain call returns. @param {string} name @returns {string} */
+/** The string at the pointer that a call returns. @param {string} name @returns {string} */
 export const stringFrom = (name) => core().UTF8ToString(plainCall(name));
 
 /**
@@ -188,7 +189,7 @@ export function withText(text, use) {
 }
 
 /**
- * Runs `use` with a copy of the points in the module's memory, or with a null pointer where there are none.
+ * Runs `use` with a copy of the points in the module's memory, or with a null pointer if there are none.
  * @template T
  * @param {Float64Array | null} points
  * @param {(pointer: number, count: number) => T} use
@@ -205,7 +206,7 @@ export function withPoints(points, use) {
   }
 }
 
-/** @param {number} run @returns {{level: number, points: Float64Array}} what umbilic_run_state hands back */
+/** @param {number} run @returns {{level: number, points: Float64Array}} the result of umbilic_run_state */
 export function stateOf(run) {
   call('run_state', run, scratch, scratch + 4, scratch + 8);
   const [level, pointer, count] = handedBack(3);
@@ -215,7 +216,7 @@ export function stateOf(run) {
 /** Copies of a mesh's arrays. @param {number} mesh @returns {Mesh} */
 export function copyMesh(mesh) {
   call('mesh_view', mesh, scratch);
-  // As umbilic_mesh_arrays has them.
+  // The order of the members of umbilic_mesh_arrays.
   const [positions, normals, curvatures, triangles, edges, vertexCount, triangleCount, edgeCount] = handedBack(8);
   /** @param {number} pointer @param {number} count */
   const floats = (pointer, count) =>
@@ -234,7 +235,7 @@ export function copyMesh(mesh) {
 }
 
 /**
- * Runs `use` with a mesh that a call hands back last, and that lives no longer.
+ * Runs `use` with the mesh that a call returns, and destroys the mesh afterwards.
  * @template T
  * @param {(mesh: number) => T} use
  * @param {string} name

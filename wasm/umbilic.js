@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The JavaScript face of the core, for the browser, a worker and Node alike. What goes in and comes out is the
- * text form of problems and reports, as objects with the same names; see types.js.
+ * @file The JavaScript API of the core, for the browser, workers and Node. Problems and reports are objects with the
+ * names of their text form; see types.js.
  *
  *     import { Minimizer, load } from './wasm/umbilic.js';
  *     await load();
@@ -40,7 +40,7 @@ import {
 
 export { InputError, load } from './memory.js';
 
-/** umbilic_part of api.h. */
+/** The values of umbilic_part in api.h. */
 const PARTS = { progress: 0, problem: 1, cage: 2, group: 3, levels: 4, limit: 5, energies: 6 };
 
 /** @param {number} handle @param {string} type @returns {number} */
@@ -50,7 +50,7 @@ function alive(handle, type) {
 }
 
 /**
- * A count that the contract takes as a whole number of 32 bits.
+ * Checks an argument that the contract takes as a 32-bit integer.
  * @param {number} value
  * @param {string} name
  * @param {number} least
@@ -61,14 +61,14 @@ function count(value, name, least) {
   throw new InputError(`${name} is ${value}, not a whole number of at least ${least}`);
 }
 
-/** @param {CageInput} cage @returns {object} the bytes of a file as text */
+/** @param {CageInput} cage @returns {object} the cage with a file's bytes decoded to text */
 function plainCage(cage) {
   const text = /** @type {{text?: unknown}} */ (cage)?.text;
   return text instanceof Uint8Array ? { ...cage, text: new TextDecoder().decode(text) } : cage;
 }
 
 /**
- * The text of a problem or a report, and beside it the points to go on from, which need no text.
+ * The text of a problem or a report. The points to start from, which can be many, are passed separately as numbers.
  * @param {Problem | Report | string} asked
  * @returns {{text: string, points: Float64Array | null}}
  */
@@ -94,8 +94,8 @@ export const cageNames = () => valueFrom('cage_names');
 export const functionalNames = () => valueFrom('functional_names');
 
 /**
- * Of the torus of revolution, in closed form.
- * @param {number} ratio of the tube's radius to that of the circle of its centres, between 0 and 1
+ * Energies of a torus of revolution, in closed form.
+ * @param {number} ratio radius of the tube divided by that of the circle of its centres, between 0 and 1
  * @returns {Record<FunctionalName, number>} @throws {InputError}
  */
 export const torusEnergies = (ratio) => valueFrom('torus_energies', ratio);
@@ -112,7 +112,7 @@ export const torusMinimizer = (terms) =>
 export class Cage {
   #handle;
 
-  /** What it was made of, for a problem. @type {CageInput} */
+  /** The input of the constructor, as a problem's `cage`. @type {CageInput} */
   input;
 
   /** @param {CageInput} input @throws {InputError} */
@@ -165,7 +165,7 @@ export class Minimizer {
   #handle;
 
   /**
-   * @param {Problem | Report | string} problem also as its text; of a report, it goes on where that ended
+   * @param {Problem | Report | string} problem or its text; a report's run continues where the report ended
    * @throws {InputError}
    */
   constructor(problem) {
@@ -190,7 +190,7 @@ export class Minimizer {
     return wordFrom('run_step', this.#alive, count(units, 'the number of units', 0)) !== 0;
   }
 
-  /** Ends the run; what there is so far is its result. */
+  /** Ends the run. Its result is what has been computed so far. */
   cancel() {
     call('run_cancel', this.#alive);
   }
@@ -200,12 +200,12 @@ export class Minimizer {
     return this.#part('progress');
   }
 
-  /** Complete, with every default. @returns {Required<Omit<Problem, 'start'>> & Problem} */
+  /** The problem, with all defaults filled in. @returns {Required<Omit<Problem, 'start'>> & Problem} */
   get problem() {
     return this.#part('problem');
   }
 
-  /** Counts over the cage. @returns {CageReport} */
+  /** Counts of the cage's elements. @returns {CageReport} */
   get cage() {
     return this.#part('cage');
   }
@@ -215,17 +215,17 @@ export class Minimizer {
     return this.#part('group');
   }
 
-  /** Those that have ended. @returns {LevelReport[]} */
+  /** The levels that have ended. @returns {LevelReport[]} */
   get levels() {
     return this.#part('levels');
   }
 
-  /** What the levels so far say about the limit of their energies. @returns {Limit} */
+  /** The estimated limit of the energies, from the levels so far. @returns {Limit} */
   get limit() {
     return this.#part('limit');
   }
 
-  /** By the reporting rule; several times the cost of a step. @returns {Energies} */
+  /** All energies by the reporting rule; costs as much as several steps. @returns {Energies} */
   get energies() {
     return this.#part('energies');
   }
@@ -236,8 +236,8 @@ export class Minimizer {
   }
 
   /**
-   * All of it as a text to keep.
-   * @param {Certificate} [certificate] of this surface, whose report is ready
+   * The complete report as a text.
+   * @param {Certificate} [certificate] a ready certificate of this surface
    * @returns {string}
    */
   report(certificate) {
@@ -245,7 +245,7 @@ export class Minimizer {
   }
 
   /**
-   * Begins to tell whether the best surface is a minimum among all surfaces near it.
+   * Begins a test whether the best surface is a minimum among all surfaces near it.
    * @returns {Certificate} @throws {InputError} for flat caps and very large meshes
    */
   certify() {
@@ -283,17 +283,17 @@ export class Minimizer {
 export class Certificate {
   #handle;
 
-  /** Use `Minimizer.certify`. @param {number} handle */
+  /** To be called by `Minimizer.certify` only. @param {number} handle */
   constructor(handle) {
     this.#handle = handle;
   }
 
-  /** For `Minimizer.report`. @returns {number} */
+  /** To be used by `Minimizer.report` only. @returns {number} */
   get handle() {
     return alive(this.#handle, 'certificate');
   }
 
-  /** Units of about an energy evaluation. @param {number} units @returns {boolean} whether the report is ready */
+  /** Does up to `units` units of work, each about one energy evaluation. @param {number} units @returns {boolean} whether the report is ready */
   step(units) {
     return wordFrom('certificate_step', this.handle, count(units, 'the number of units', 0)) !== 0;
   }
@@ -303,7 +303,7 @@ export class Certificate {
     return numberFrom('certificate_progress', this.handle);
   }
 
-  /** Once `step` has returned true. @returns {CertificateReport} */
+  /** The result; available once `step` has returned true. @returns {CertificateReport} */
   get report() {
     return valueFrom('certificate_report', this.handle);
   }
@@ -315,5 +315,5 @@ export class Certificate {
   }
 }
 
-/** A report's text as an object, in which null is NaN. @param {string} text @returns {Report} */
+/** Parses the text of a report; null becomes NaN. @param {string} text @returns {Report} */
 export const parseReport = (text) => parse(text);

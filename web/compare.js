@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The entry of the comparison: one state, and the views that show it.
+ * @file The comparison page's entry point: its state, its reducer and the views that show it.
  */
 import { parseCompareAddress } from './address/compare.js';
 import { loadCatalog, loadReport } from './files/catalog.js';
@@ -26,7 +26,7 @@ const makeSurface = createRequests(
 const effects = createEffects({
   dispatch: (action) => dispatch(action),
   loadReport,
-  // Where nothing is drawn, nothing need be made.
+  // Without drawing, no surface is needed.
   makeSurface: (question) => (panes.draws ? makeSurface(question) : Promise.resolve('')),
   setAddress: (search) => history.replaceState(null, '', location.pathname + search),
 });
@@ -44,7 +44,7 @@ function dispatch(action) {
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
-/** The curvature of a sphere of the same area is the unit. */
+/** Curvatures are in units of that of a sphere with the same area. */
 const legend = createLegendView(
   byId('legend'),
   (shading) => dispatch({ type: 'shadingChosen', shading }),

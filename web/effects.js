@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What actions cause outside the state: commands to the worker, entries of the catalog to load, files to save, and the page's
- * address. Compares the state before and after; decides nothing.
+ * @file The studio's side effects: commands to the worker, entries of the catalog to load, files to save, and the
+ * page's address. They follow from the states before and after an action.
  */
 import { formatStudioAddress } from './address/studio.js';
 import { fileName } from './files/names.js';
@@ -13,7 +13,7 @@ import { problemOf } from './state/settings.js';
 /** @import {Client} from './worker/client.js' */
 
 /**
- * Leaves out what is the same as the last time.
+ * Calls `work` only if the text differs from the last one.
  * @param {(text: string) => void} work
  * @returns {(text: string) => void}
  */
@@ -86,7 +86,7 @@ export function createEffects({ client, save, load, setAddress }) {
       case 'surfaceDrawn':
         if (before.coarse) client.send({ type: 'detail', run });
         if (before.coarse && after.minimizer && after.cage?.source.kind === 'generated') {
-          // What its button opens, "Minimize again".
+          // The problem that the button "Minimize again" would open.
           const problem = problemOf(after.cage.source, after.minimizer.settings, null);
           if (typeof problem !== 'string') client.send({ type: 'expect', run, problem });
         }

@@ -28,7 +28,7 @@ export default defineConfig([
   },
   { files: ['web/**/*.js'], ignores: ['web/*.config.js'], languageOptions: { globals: globals.browser } },
   { files: ['web/*.config.js', 'tests/**/*.js'], languageOptions: { globals: globals.node } },
-  // Functions that browser tests and the pictures' commands hand to the page run there.
+  // Functions that browser tests and `npm run pictures` pass to the page run in the browser.
   {
     files: ['tests/browser/**/*.js', 'tests/web/**/*.js', 'tests/run/pictures/*.js'],
     languageOptions: { globals: globals.browser },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The catalog's entry, which is also the home page: one state, and the views that show it. What draws and computes is loaded only
- * when a download needs it.
+ * @file The entry point of the catalog, which is also the home page: its state, its reducer and the views that show it.
+ * Code that draws or computes is loaded only when a download needs it.
  */
 import { parseCatalogAddress } from './address/catalog.js';
 import { loadCatalog, loadReport } from './files/catalog.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The studio's entry: one state, the worker that changes it, and the views that show it.
+ * @file The studio's entry point: its state, its reducer, the worker and the views.
  */
 import { parseStudioAddress } from './address/studio.js';
 import { createEffects } from './effects.js';
@@ -82,7 +82,7 @@ createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')));
 
 function show() {
   const dark = theme.update(state.view.theme);
-  // While the surface moves the range is calm; another cage or a surface at rest gets its own.
+  // While the surface moves, the range changes rarely; another cage or a surface at rest gets its own range.
   const range = legend.update({
     shading: state.view.shading,
     curvatures: state.surface ? [state.surface.limit.curvatures] : [],
@@ -95,7 +95,7 @@ function show() {
 
 effects({ type: 'alertDismissed' }, { ...state, opening: null, wanted: null }, state);
 show();
-// What draws is the largest part of the page; it is loaded while the worker begins.
+// The drawing code is the largest part of the page; it is loaded while the worker starts.
 const { createSurfaceView } = await import('./views/surface.js');
 surface = createSurfaceView(byId('surface'), dispatch);
 show();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The entry of the torus page: one state, and the views that show it.
+ * @file The torus page's entry point: its state, its reducer and the views.
  */
 import { parseTorusAddress } from './address/torus.js';
 import { storeTheme, storedTheme } from './files/theme.js';
@@ -57,7 +57,7 @@ function show() {
 
 effects(state);
 show();
-// What draws is the largest part of the page; numbers and plots need not wait for it.
+// The drawing code is the largest part of the page; numbers and plots need not wait for it.
 const { createPictureView } = await import('./pages/torus/views/picture.js');
 views.push(createPictureView(byId('surface'), dispatch));
 show();

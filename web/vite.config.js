@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How the pages are built: every HTML file of this folder becomes a page of build/web, which works from any sub-path of any static
- * host; all of them begin with the same header, and the catalog's data stand beside them under the names that they have here.
+ * @file How the pages are built. Every HTML file of this folder becomes a page of build/web, which works under any path
+ * of a static host. All pages begin with the same header. The catalog's data keep their names.
  */
 import { cpSync, existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
@@ -12,7 +12,7 @@ const web = path.dirname(fileURLToPath(import.meta.url));
 const outDir = path.join(web, '../build/web');
 const pages = readdirSync(web).filter((name) => name.endsWith('.html'));
 
-/** The common header, in which the page itself is marked. @returns {import('vite').Plugin} */
+/** Inserts the common header, with the current page marked. @returns {import('vite').Plugin} */
 function header() {
   return {
     name: 'header',
@@ -29,7 +29,7 @@ function header() {
   };
 }
 
-/** What the studio draws with is run after its worker has begun, and asked for together with all else. @returns {import('vite').Plugin} */
+/** Preloads the studio's drawing code with everything else, although it runs only after the worker has started. @returns {import('vite').Plugin} */
 function preloads() {
   const drawing = 'views/surface.js';
   return {
@@ -56,7 +56,7 @@ function preloads() {
   };
 }
 
-/** The catalog's data, which pages fetch and readers may link to. @returns {import('vite').Plugin} */
+/** Copies the catalog's data, which pages fetch and readers may link to. @returns {import('vite').Plugin} */
 function catalog() {
   return {
     name: 'catalog',
@@ -78,7 +78,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 1500, // kB; three.js is one chunk
     rolldownOptions: {
       input: pages.map((name) => path.join(web, name)),
-      // One file of what pages have in common, because each file takes time of its own.
+      // Puts the code that pages share into one file, because each additional file takes time to load.
       output: {
         codeSplitting: {
           groups: [{ name: 'common', test: /web.(address|colour|files|plot|views|words)./, minShareCount: 2 }],

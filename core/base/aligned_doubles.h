@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Doubles that start on a cache line, so that loads of whole lanes seldom straddle two.
+/// Arrays of doubles that start on a cache line, so that a vector load rarely straddles two lines.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct CacheLineAllocator {
 
 using AlignedDoubles = std::vector<double, CacheLineAllocator<double>>;
 
-/// Makes room for `size` doubles, whatever they are.
+/// Grows `storage` to at least `size` doubles and returns its start. The values are unspecified.
 inline double* reserve(AlignedDoubles& storage, std::size_t size) {
   if (storage.size() < size) storage.resize(size);
   return storage.data();

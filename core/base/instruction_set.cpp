@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Asks the processor, through the compiler's run-time library, which also asks the system whether it saves the
-/// registers.
+/// Asks the compiler's run-time library what the processor has. The library also asks whether the operating system
+/// saves the wider registers.
 #include "base/instruction_set.h"
 
 #include <fmt/format.h>

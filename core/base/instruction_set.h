@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Which of the processor's instruction sets the kernels use, found once per process or forced by whoever compares
-/// them.
+/// Which instruction set the kernels use: chosen once per process, or set by a caller that compares them.
 ///
 /// A kernel is a hot function that is compiled once per instruction set: the sources in a layer's folder kernels/, each
 /// in a namespace of the set's name (base/kernel_namespace.h) and called through the layer's table. Everything else is
@@ -26,19 +25,19 @@ inline constexpr std::array<std::string_view, kInstructionSetCount> kInstruction
 
 constexpr std::string_view name_of(InstructionSet set) { return kInstructionSetNames[static_cast<int>(set)]; }
 
-/// Whether this program has kernels for the set and this processor runs them.
+/// Whether this program has kernels for the set and this processor can run them.
 bool available(InstructionSet set);
 
-/// The set whose kernels run: at first the last one that is available.
+/// The set whose kernels run. Initially the largest one that is available.
 InstructionSet instruction_set();
 
-/// Lets the kernels of an available set run from now on. Results of different sets agree to rounding.
+/// Makes the kernels of `set` run from now on; it must be available. Results of different sets agree to rounding.
 void use_instruction_set(InstructionSet set);
 
 /// The available set of that name; the error lists the names, or says that the processor lacks it.
 Result<InstructionSet> parse_instruction_set(std::string_view name);
 
-/// A layer's kernels for every instruction set; null where the program has none.
+/// A layer's kernels for each instruction set; null where the program has none for it.
 template <class Kernels>
 using KernelTables = std::array<const Kernels*, kInstructionSetCount>;
 

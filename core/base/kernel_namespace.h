@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The namespace of everything that is compiled once per instruction set (base/instruction_set.h), templates and inline
-/// functions included: without it the linker would keep one copy of each, for whatever processor it was compiled.
+/// The namespace of all code that is compiled once per instruction set (base/instruction_set.h), including templates
+/// and inline functions. Without it the linker would keep a single copy of each, compiled for an arbitrary processor.
 #pragma once
 
-/// The build defines it where it compiles kernels; everything else sees the portable ones.
+/// The build defines this name while it compiles kernels; all other code sees the portable kernels.
 #ifndef UMBILIC_INSTRUCTION_SET
 #define UMBILIC_INSTRUCTION_SET portable
 #endif
 
-/// To be opened as umbilic::UMBILIC_KERNELS; inline, so that its members are found in umbilic.
+/// Open it as umbilic::UMBILIC_KERNELS. It is inline, so its members are also found in umbilic.
 #define UMBILIC_KERNELS inline UMBILIC_INSTRUCTION_SET

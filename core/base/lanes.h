@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// A few doubles side by side, for arithmetic over several samples at once.
+/// Vectors of a few doubles ("lanes"), for arithmetic on several samples at once.
 #pragma once
 
 #ifdef __wasm_simd128__
@@ -11,7 +11,7 @@
 
 namespace umbilic {
 
-/// Loops over samples count on multiples of this, whatever the lanes.
+/// Every array of samples is padded to a multiple of this, whatever the number of lanes.
 inline constexpr int kSampleMultiple = 4;
 
 }  // namespace umbilic
@@ -26,18 +26,18 @@ inline constexpr int kLaneCount = 4;
 inline constexpr int kLaneCount = 2;
 #endif
 
-/// Elementwise + - * / < come with the compiler's vector type.
+/// The compiler's vector type; it brings elementwise + - * / <.
 using Lanes = double __attribute__((vector_size(kLaneCount * sizeof(double))));
 
-/// As many lanes as every count of samples has full.
+/// A vector that always divides an array of samples evenly: no longer than kSampleMultiple.
 inline constexpr int kShortLaneCount = kLaneCount < kSampleMultiple ? kLaneCount : kSampleMultiple;
 using ShortLanes = double __attribute__((vector_size(kShortLaneCount * sizeof(double))));
 
-/// Of Lanes or ShortLanes.
+/// Number of doubles in a Lanes or ShortLanes.
 template <class L>
 inline constexpr int kCount = sizeof(L) / sizeof(double);
 
-/// In memory, anywhere. (Unlike std::memcpy, which keeps the compiler from holding arrays of lanes in registers.)
+/// The same vector at any address. (std::memcpy would keep the compiler from holding arrays of lanes in registers.)
 template <class L>
 struct Unaligned {
   using Type __attribute__((aligned(alignof(double)), may_alias)) = L;
@@ -58,7 +58,7 @@ L splat(double x) {
   return x - L{};
 }
 
-/// For templates over double and lanes.
+/// So that templates can call sqrt on doubles and on lanes.
 inline double sqrt(double x) { return __builtin_sqrt(x); }
 
 template <class L>
@@ -80,7 +80,7 @@ double sum_lanes(L x) {
   return sum;
 }
 
-/// Lanes added up to as many as ShortLanes has.
+/// Adds the lanes of x together until ShortLanes holds them.
 template <class L>
 ShortLanes fold(L x) {
   if constexpr (kCount < L >> kShortLaneCount) {
@@ -90,7 +90,7 @@ ShortLanes fold(L x) {
   }
 }
 
-/// sums[i] = the sum of x[i]'s lanes, side by side.
+/// sums[i] = the sum of the lanes of x[i].
 template <class L>
 void sum_lanes_of_four(const L (&x)[4], double* sums) {
   if constexpr (kCount<L> == 2) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Result<T>: a value, or the reason why there is none, in words that name the place.
+/// Result<T>: a value, or an error message that says why there is none.
 #pragma once
 
 #include <cassert>

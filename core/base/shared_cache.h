@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Values that are made once per key and shared by whoever needs them.
+/// A cache of values that are computed once per key and shared by all users.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace umbilic {
 
-/// Safe to use from several threads. Holds at most `capacity` bytes, apart from a single larger value: what does not
-/// fit any more empties it. Values live as long as somebody uses them.
+/// Thread safe. Holds at most `capacity` bytes, or a single larger value: when a new value does not fit, the cache
+/// drops all others first. A value that somebody still holds stays valid.
 template <class Key, class Value>
 class SharedCache {
  public:
-  /// > 0, in bytes as counted by Value::bytes.
+  /// `capacity` > 0 is in bytes, as Value::bytes counts them.
   explicit SharedCache(std::size_t capacity) : capacity_(capacity) {}
 
-  /// The value of `key`, which `make` returns where there is none yet.
+  /// The value of `key`. Calls `make` if the cache does not have it.
   template <class Make>
   std::shared_ptr<const Value> get(const Key& key, const Make& make) {
     const std::lock_guard lock(mutex_);

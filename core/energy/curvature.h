@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// From a jet to the second fundamental form and its covariant derivative in an orthonormal frame, and back (pullback).
+/// From a jet to the second fundamental form and its covariant derivative in an orthonormal frame, and the pullback.
 ///
 /// paper / DESIGN | code
 /// X_u, X_v            | jet.first[0], jet.first[1]
@@ -10,10 +10,13 @@
 /// C = (c0, …, c3)     | c[0..3]                    C_ijk = (covariant derivative of II)(e_i, e_j, e_k)
 /// dA = du dv |Xu x Xv|| area
 ///
-/// e1 = alpha X_u and e2 = beta X_u + gamma X_v. In the linear reparametrization that makes e1, e2 the parameter
-/// directions the metric is the identity, so that the Christoffel symbols are the dot products christoffel[m][ij] = e_m
-/// . Y_ij, and C_ijk = n . Y_ijk - christoffel[m][ij] II_mk - christoffel[m][jk] II_mi - christoffel[m][ki] II_mj. T is
-/// double, or several samples in lanes, or a dual number.
+/// e1 = alpha X_u and e2 = beta X_u + gamma X_v. Y denotes X reparametrized linearly so that e1 and e2 are its
+/// parameter directions. Then the metric is the identity at the point and the Christoffel symbols are dot products:
+///
+///   christoffel[m][ij] = e_m . Y_ij
+///   C_ijk = n . Y_ijk - christoffel[m][ij] II_mk - christoffel[m][jk] II_mi - christoffel[m][ki] II_mj
+///
+/// T is double, a vector of lanes (several samples), or a dual number.
 #pragma once
 
 #include "base/lanes.h"
@@ -26,7 +29,7 @@ struct Jet {
   Vec3<T> first[2], second[3], third[4];
 };
 
-/// What every density is a function of; as an adjoint, the derivatives by these.
+/// What densities are functions of. Also holds adjoints: the derivatives by these numbers.
 template <class T>
 struct Curvature {
   T p{}, q{}, r{};
@@ -34,7 +37,7 @@ struct Curvature {
   T area{};
 };
 
-/// The curvature of a jet, and what its pullback needs. `kThird` false leaves C out.
+/// The curvature of a jet, with what its pullback needs. Without kThird, C is left out.
 template <class T, bool kThird>
 class CurvatureFrame {
  public:
@@ -61,11 +64,11 @@ class CurvatureFrame {
   const Curvature<T>& value() const { return value_; }
   const Vec3<T>& normal() const { return normal_; }
 
-  /// The jet's adjoint from the curvature's, whose C counts `kWithThird` only.
+  /// The adjoint of the jet from the adjoint of its curvature. Without kWithThird, the adjoint of C counts as zero.
   template <bool kWithThird = kThird>
   Jet<T> pull_back(const Curvature<T>& adjoint) const;
 
-  /// II from x = n . X_ij, and its transpose.
+  /// II from x = n . X_ij, and the transpose.
   void second_to_frame(const T (&x)[3], T (&form)[3]) const { to_frame(x, form); }
   void second_from_frame(const T (&form)[3], T (&x)[3]) const {
     x[0] = alpha_ * (alpha_ * form[0] + beta_ * form[1]) + beta_ * beta_ * form[2];
@@ -73,7 +76,7 @@ class CurvatureFrame {
     x[2] = gamma_ * gamma_ * form[2];
   }
 
-  /// The part of C that is linear in t = n . X_ijk, and its transpose.
+  /// The part of C that is linear in t = n . X_ijk, and the transpose.
   void third_to_frame(const T (&t)[4], T (&c)[4]) const {
     const T t01 = beta_ * t[0] + gamma_ * t[1], t12 = beta_ * t[1] + gamma_ * t[2], t23 = beta_ * t[2] + gamma_ * t[3];
     const T t012 = beta_ * t01 + gamma_ * t12, t123 = beta_ * t12 + gamma_ * t23;
@@ -84,7 +87,7 @@ class CurvatureFrame {
   }
   void third_from_frame(const T (&c)[4], T (&t)[4]) const {
     const T aa = alpha_ * alpha_;
-    // Horner from the highest power of beta.
+    // Horner's scheme, from the highest power of beta.
     t[0] = alpha_ * (aa * c[0] + beta_ * (alpha_ * c[1] + beta_ * c[2])) + beta_ * beta_ * beta_ * c[3];
     t[1] = gamma_ * (aa * c[1] + beta_ * (2.0 * alpha_ * c[2] + 3.0 * beta_ * c[3]));
     t[2] = gamma_ * gamma_ * (alpha_ * c[2] + 3.0 * beta_ * c[3]);
@@ -202,7 +205,7 @@ Jet<T> CurvatureFrame<T, kThird>::pull_back(const Curvature<T>& adjoint) const {
 
   const T inverse_area = 1.0 / value_.area;
   const T twice_e = alpha_ * inverse_area * (frame.gamma + f_ * alpha_ * alpha_ * frame.beta) -
-                    alpha_ * alpha_ * alpha_ * frame.alpha;  // 2 x the adjoint of X_u . X_u
+                    alpha_ * alpha_ * alpha_ * frame.alpha;  // twice the adjoint of X_u . X_u
   const T f_adjoint = -alpha_ * inverse_area * frame.beta;
   const T area_adjoint = adjoint.area - inverse_area * (beta_ * frame.beta + gamma_ * frame.gamma);
   const Vec3<T> w_adjoint =

@@ -2,9 +2,10 @@
 /// \file
 /// The integrands of all functionals as functions of II = (p, q, r) and C = (c0, …, c3), each with its gradient.
 ///
-/// Angles: theta turns e1 into the principal direction of kappa1 >= kappa2; D = (kappa1 - kappa2)/2 is regularized
-/// once, here: D^2 = (p - r)^2/4 + q^2 + eta^2 (p^2 + 2 q^2 + r^2), eta = kUmbilicEta in every energy, so that cos
-/// 2theta = (p - r)/(2D) and sin 2theta = q/D go smoothly to 0 at umbilics, independently of frame and scale.
+/// theta is the angle from e1 to the principal direction of the larger curvature kappa1, and D = (kappa1 - kappa2)/2.
+/// At umbilics theta is undefined, so D is regularized, here and only here: D^2 = (p - r)^2/4 + q^2 + eta^2 (p^2 + 2
+/// q^2 + r^2). Then cos 2theta = (p - r)/(2D) and sin 2theta = q/D tend smoothly to 0 at umbilics, independently of
+/// frame and scale. All energies use eta = kUmbilicEta.
 #pragma once
 
 #include "energy/curvature.h"
@@ -12,7 +13,7 @@
 
 namespace umbilic::UMBILIC_KERNELS {
 
-/// Keeps 0/0 out where II vanishes altogether; below any curvature whose square is representable.
+/// Prevents 0/0 where II is zero. Smaller than any curvature whose square is representable.
 inline constexpr double kFlatFloor = 1e-290;
 
 /// cos 2theta and sin 2theta, and 1/D for their pullback.
@@ -29,7 +30,7 @@ struct PrincipalAngle {
     sine = k.q * inverse_d;
   }
 
-  /// Adds to the adjoint of (p, q, r) what the adjoints of cosine and sine contribute.
+  /// Adds to the adjoint of (p, q, r) the pullback of the adjoints of cosine and sine.
   void pull_back(const Curvature<T>& k, const T& cosine_adjoint, const T& sine_adjoint, Curvature<T>& adjoint) const {
     const T radial = -inverse_d * inverse_d * (cosine * cosine_adjoint + sine * sine_adjoint);
     const T half = 0.5 * (k.p - k.r);
@@ -40,8 +41,8 @@ struct PrincipalAngle {
   }
 };
 
-/// Each density below returns its value and, for `scale` = the density's adjoint, adds the gradient times `scale` to
-/// `adjoint`.
+/// Each function below returns its density. `scale` is the adjoint of the density: the function adds `scale` times the
+/// gradient to `adjoint`.
 
 /// kappa1^2 + kappa2^2, in 1/length^2. Joshi & Sequin 2007, eq. 2.
 template <class T>
@@ -61,9 +62,9 @@ T willmore_density(const Curvature<T>& k, const T& scale, Curvature<T>& adjoint)
   return h * h;
 }
 
-/// (dkappa1/de1)^2 + (dkappa2/de2)^2, in 1/length^4. Joshi & Sequin 2007, eq. 6. C along a direction at angle t is
-/// h1 . (cos t, sin t) + h3 . (cos 3t, sin 3t); C_111^2 + C_222^2 = |h1|^2 + |h3|^2 + 2 Re((h1 h3) e^(4 i theta)) with
-/// h1 h3 the complex product.
+/// (dkappa1/de1)^2 + (dkappa2/de2)^2, in 1/length^4. Joshi & Sequin 2007, eq. 6. In the direction at angle t, C is h1 .
+/// (cos t, sin t) + h3 . (cos 3t, sin 3t). In principal directions C_111^2 + C_222^2 = |h1|^2 + |h3|^2 + 2 Re((h1 h3)
+/// e^(4 i theta)), where h1 h3 is the complex product.
 template <class T>
 T mvs_density(const Curvature<T>& k, const PrincipalAngle<T>& angle, const T& scale, Curvature<T>& adjoint) {
   const T x1 = 0.75 * (k.c[0] + k.c[2]), y1 = 0.75 * (k.c[1] + k.c[3]);
@@ -122,7 +123,8 @@ T second_form_variation_density(const Curvature<T>& k, const T& scale, Curvature
   return k.c[0] * k.c[0] + k.c[3] * k.c[3] + 3.0 * (k.c[1] * k.c[1] + k.c[2] * k.c[2]);
 }
 
-/// Weighted sum of the densities of order `kThird` ? third : second; `weights` in the order of `Functional`.
+/// Weighted sum of the densities of third order if kThird, else of second order; `weights` in the order of
+/// `Functional`.
 template <bool kThird, class T>
 T weighted_density(const double* weights, const Curvature<T>& k, const T& scale, Curvature<T>& adjoint,
                    double umbilic_eta = kUmbilicEta) {

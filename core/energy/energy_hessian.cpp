@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Hands tables and jets to the kernel, those of flat caps turned so that the frozen normal is the third axis.
+/// Passes tables and jets to the kernel. Those of flat caps are first rotated so that the fixed normal is the third
+/// axis.
 #include "energy/energy_hessian.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 static_assert(BasisTable::kColumnMultiple % HessianPatch::kColumnMultiple == 0);
 
-/// Orthogonal, with last row n.
+/// A rotation or reflection whose last row is n.
 Eigen::Matrix3d turn_to_axis(const Vector3& n) {
   Eigen::Matrix3d turn;
   const Vector3 first = n.unitOrthogonal();
@@ -20,7 +21,7 @@ Eigen::Matrix3d turn_to_axis(const Vector3& n) {
   return turn;
 }
 
-/// Rows and columns of the coordinates turned back: block = turn^T block turn over the coordinates.
+/// Rotates the coordinates of a block back: turn^T block turn for each pair of points.
 void turn_back(const Eigen::Matrix3d& turn, int columns, std::vector<double>& block) {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::Map<RowMajor> lower(block.data(), 3 * columns, 3 * columns);

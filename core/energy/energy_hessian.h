@@ -2,10 +2,11 @@
 /// \file
 /// Second derivatives of a surface's weighted functional, patch by patch.
 ///
-/// With the energy second + area * third, the patches' matrices sum to D^2 second + area D^2 third + third D^2 area;
-/// what is missing of the Hessian is the rank-two term grad area grad third^T + grad third grad area^T. Of `flat` caps
-/// n is frozen. Near umbilics, where second derivatives grow like the inverse square of the distance and hold over no
-/// more than that distance, they may be those of a more regularized density.
+/// The energy is second + area * third, and the patches' matrices sum to D^2 second + area D^2 third + third D^2 area.
+/// The full Hessian has in addition the rank-two term grad area grad third^T + grad third grad area^T. The normals of
+/// `flat` caps are held fixed. Near umbilics second derivatives grow like the inverse square of the distance and
+/// describe the energy only within that distance, so the caller may ask for those of a more strongly regularized
+/// density.
 #pragma once
 
 #include <vector>
@@ -18,15 +19,15 @@ namespace umbilic {
 
 class EnergyHessian {
  public:
-  /// `layout` outlives the Hessian.
+  /// `layout` must outlive the Hessian.
   EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights,
                 double umbilic_eta = kUmbilicEta);
 
-  /// Where the derivatives are taken. `value` is the energy there.
+  /// Chooses the surface. `value` is its energy.
   void move_to(const Points& control, const EnergyValue& value);
 
-  /// The matrix of a patch (of one that it stands for): row-major, 3 columns(set) x 3 columns(set), as
-  /// EnergyKernels::patch_hessian leaves it. Valid until the next call.
+  /// The matrix of a patch of the layout: row-major, 3 columns(set) x 3 columns(set), as EnergyKernels::patch_hessian
+  /// leaves it. Valid until the next call.
   const double* patch(int set, int patch);
   int columns(int set) const { return patches_.basis(set).table().padded_columns; }
   int samples(int set) const { return patches_.basis(set).table().samples; }
@@ -35,7 +36,7 @@ class EnergyHessian {
   PatchEvaluator patches_;
   Weights weights_;
   WeightedIntegrand integrand_{};
-  Eigen::Matrix<double, Eigen::Dynamic, 3> turned_;  // jets of a flat cap, the normal as third axis
+  Eigen::Matrix<double, Eigen::Dynamic, 3> turned_;  // jets of a flat cap, rotated so that the normal is the third axis
   std::vector<double> scratch_, block_;
 };
 

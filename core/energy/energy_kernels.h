@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// This layer's kernels: what is compiled once per instruction set, from the folder kernels/, and called through a
+/// This layer's kernels: functions compiled once per instruction set, in the folder kernels/, and called through a
 /// table.
 #pragma once
 
@@ -10,15 +10,15 @@
 
 namespace umbilic {
 
-/// Of a weighted functional, over samples.
+/// Integrals of a weighted functional, summed over samples.
 struct EnergySums {
-  double second, third;  ///< weighted integrals of the densities of either order
+  double second, third;  ///< weighted integrals of the densities of second and of third order
   double area;
   double gaussian;  ///< integral of the Gaussian curvature
-  double smallest;  ///< least area element
+  double smallest;  ///< smallest area element
 };
 
-/// Of every functional, over samples; third-order ones without the factor area.
+/// Integrals of each functional, summed over samples; third-order ones without the factor area.
 struct FunctionalSums {
   double functionals[kFunctionalCount];
   double area;
@@ -26,19 +26,20 @@ struct FunctionalSums {
 };
 
 struct EnergyKernels {
-  /// Adds the block's integrals, by the densities of second order, of third or both. Overwrites, where the block has
-  /// them, the adjoints of the second-order integral (with `second_order`), of the third-order one and of the area
-  /// (with `third_order`), in this order. `weights` of the functionals.
+  /// Adds the block's integrals of the second-order densities, the third-order ones, or both. `weights` are those of
+  /// the functionals. If the block has adjoints, overwrites them with those of the second-order integral (if
+  /// `second_order`), of the third-order integral and of the area (if `third_order`), in this order.
   void (*integrate)(const double* weights, bool second_order, bool third_order, const JetBlock& block,
                     EnergySums& sums);
-  /// Overwrites out[(c * columns + i) * (3 * columns) + (e * columns + j)] for e <= c (where c == e only j <= i is
-  /// meaningful) with the second derivative of the patch's integral by coordinate c of point i and e of point j.
+  /// Writes the second derivatives of the patch's integral by coordinate c of point i and e of point j to out[(c *
+  /// columns + i) * (3 * columns) + (e * columns + j)], for e <= c. If e == c only the entries with j <= i are
+  /// meaningful.
   void (*patch_hessian)(const HessianPatch& patch, const WeightedIntegrand& f, double* scratch, double* out);
-  /// Adds the block's integrals; its jets reach to third order.
+  /// Adds the block's integrals of all functionals; its jets must have third order.
   void (*integrate_all)(const JetBlock& block, FunctionalSums& sums);
 };
 
-/// For the instruction set in use.
+/// The kernels of the instruction set in use.
 const EnergyKernels& energy_kernels();
 
 }  // namespace umbilic

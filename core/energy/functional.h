@@ -15,10 +15,10 @@ namespace umbilic {
 inline constexpr std::array<std::string_view, kFunctionalCount> kFunctionalNames{
     "bending", "willmore", "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation"};
 
-/// Weights of the functionals, in the order of the enum: Joshi & Sequin's eq. 9 for any of them.
+/// Weights of the functionals, in the order of the enum. Generalizes Joshi & Sequin's eq. 9 to all functionals.
 using Weights = std::array<double, kFunctionalCount>;
 
-/// Whether a functional of third order has a weight.
+/// Whether some functional of third order has a nonzero weight.
 constexpr bool third_order(const Weights& weights) {
   for (int f = kMvs; f < kFunctionalCount; ++f) {
     if (weights[f] != 0) return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Jets of consecutive samples between memory and lanes.
+/// Loads and stores jets of consecutive samples as lanes.
 #pragma once
 
 #include "base/lanes.h"
@@ -22,7 +22,7 @@ void store_vector(double* x, int stride, const Vec3<L>& v) {
   store_lanes(x + 2 * stride, v.z);
 }
 
-/// `x` points to the first of the samples in an array [(c * derivatives + d) * samples + s].
+/// `x` points to the first of the samples, in an array [(c * derivatives + d) * samples + s].
 template <bool kThird, class L = Lanes>
 Jet<L> load_jet(const double* x, int samples, int derivatives) {
   const int stride = derivatives * samples;

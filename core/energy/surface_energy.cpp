@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Adds up blocks of jets, and their gradients by the product rule.
+/// Sums blocks of jets, and applies the product rule to area * third.
 #include "energy/surface_energy.h"
 
 #include <functional>

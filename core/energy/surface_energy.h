@@ -17,25 +17,26 @@ struct EnergyValue {
   double third = 0;   ///< weighted integral of the third-order densities, without the factor area
   double area = 0;
   double gaussian = 0;  ///< integral of the Gaussian curvature
-  /// Smallest |X_u x X_v| over its mean; a patch that collapses or folds sends it to 0.
+  /// Smallest |X_u x X_v| divided by its mean. Tends to 0 when a patch collapses or folds.
   double regularity = 0;
 };
 
-/// Keeps its working memory between evaluations, so that only one thread evaluates at a time.
+/// Reuses its working memory between evaluations, so only one thread may evaluate at a time.
 class SurfaceEnergy {
  public:
-  /// `jets` outlives the energy.
+  /// `jets` must outlive the energy.
   SurfaceEnergy(const JetEvaluator& jets, const Weights& weights);
 
-  /// Not finite where the surface is not regular. `gradient`, if given, is control_count x 3.
+  /// The result is not finite if the surface is not regular. `gradient`, if given, is control_count x 3.
   EnergyValue evaluate(const Points& control, Points* gradient) const;
 
-  /// The gradients of `EnergyValue::third` and `area`, control_count x 3. There is a functional of third order.
+  /// Also gives the gradients of `EnergyValue::third` and `area`, control_count x 3. Some functional must be of third
+  /// order.
   EnergyValue evaluate_factors(const Points& control, Points& third, Points& area) const;
 
   const PatchLayout& layout() const { return jets_.layout(); }
   const Weights& weights() const { return weights_; }
-  /// Whether a functional of third order has a weight.
+  /// Whether some functional of third order has a nonzero weight.
   bool third_order() const { return third_order_; }
 
  private:
@@ -44,7 +45,7 @@ class SurfaceEnergy {
   const JetEvaluator& jets_;
   Weights weights_;
   bool second_order_, third_order_;
-  mutable std::vector<Points> gradients_;  // of the second-order integral, the third-order one and the area
+  mutable std::vector<Points> gradients_;  // those of the second-order integral, the third-order one and the area
 };
 
 struct SurfaceIntegrals {

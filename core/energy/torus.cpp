@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Closed forms, and bisection for the one sign change of the derivative.
+/// Closed forms, and bisection for the only sign change of the derivative.
 #include "energy/torus.h"
 
 #include <algorithm>

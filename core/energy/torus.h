@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The torus of revolution in closed form: its energies, and the ratio of radii that minimizes a functional among all
-/// of them.
+/// Tori of revolution in closed form: their energies, and the ratio of radii at which a functional is least among them.
 ///
-/// Of the derivatives of its curvatures only one does not vanish, that of the curvature around the axis along the
-/// circles of the tube. With a = r/R, the tube's radius over that of the circle of its centres:
+/// a = r/R is the radius of the tube divided by that of the circle of its centres. Only one curvature derivative is
+/// nonzero: that of the curvature around the axis, along the circles of the tube.
 ///
 /// | functional | torus of ratio a |
 /// |---|---|
@@ -22,13 +21,14 @@
 
 namespace umbilic {
 
-/// All energies of the torus with this ratio in (0, 1), in the order of `Functional`.
+/// All energies of the torus of this ratio, 0 < ratio < 1, in the order of `Functional`.
 std::array<double, kFunctionalCount> torus_energies(double ratio);
 
 struct TorusMinimizer {
-  /// The ratio of least energy; 0 where thinner and thinner tori approach the infimum, NaN where all have the same.
+  /// The ratio of least energy. 0 if the infimum is only approached, by ever thinner tori; NaN if all tori have the
+  /// same energy.
   double ratio = 0;
-  double energy = 0;     ///< least, or its infimum
+  double energy = 0;     ///< the minimum or infimum
   bool attained = true;  ///< whether a torus has this energy
 
   template <class Visit, class Self>
@@ -39,8 +39,8 @@ struct TorusMinimizer {
   }
 };
 
-/// The torus of revolution of least energy. `weights` are usable (energy/functional.h). With weights w1 of bending and
-/// w2 of mvs_cross the ratio solves (1 - a^2)(1 - 2 a^2) / (6 pi^2 a^3) = w2/w1; it is exact to rounding.
+/// The torus of revolution of least energy. `weights` must be usable (energy/functional.h). With weights w1 of bending
+/// and w2 of mvs_cross the ratio solves (1 - a^2)(1 - 2 a^2) / (6 pi^2 a^3) = w2/w1. Exact to rounding.
 TorusMinimizer torus_minimizer(const Weights& weights);
 
 }  // namespace umbilic

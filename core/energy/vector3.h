@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Three numbers of any arithmetic type, for the inner loops where Eigen's fixed-size vectors of lanes do not
-/// vectorize.
+/// Vectors of three numbers of any arithmetic type, for inner loops in which compilers do not vectorize Eigen's
+/// fixed-size vectors of lanes.
 #pragma once
 
 #include "base/kernel_namespace.h"

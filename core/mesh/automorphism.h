@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Automorphisms of a mesh: what they do to vertices and faces, and how Catmull-Clark carries them along.
+/// Automorphisms of a mesh: how they act on vertices and faces, and on the mesh after a Catmull-Clark step.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,11 @@
 
 namespace umbilic {
 
-/// A relabelling that keeps a mesh: half-edge h goes to halfedges[h], which lies in the image of face(h). Where it
-/// reverses the orientation, the image of origin(h) is target(halfedges[h]). With s(h) = halfedges[h] this means
-/// s(twin(h)) = twin(s(h)), and s(next(h)) = next(s(h)), or previous(s(h)) where it reverses.
+/// A relabelling of a mesh that preserves its connectivity. Half-edge h maps to s(h) = halfedges[h], which lies in the
+/// image of face(h), and s(twin(h)) = twin(s(h)).
+///
+/// If the orientation is preserved, s(next(h)) = next(s(h)) and origin(h) maps to origin(s(h)). If it is reversed (a
+/// mirror), s(next(h)) = previous(s(h)) and origin(h) maps to target(s(h)).
 struct Automorphism {
   bool reverses = false;
   std::vector<int> halfedges;
@@ -26,7 +28,7 @@ inline int image_of_face(const PolygonMesh& mesh, const Automorphism& map, int f
   return mesh.face(map.halfedges[mesh.halfedge(f, 0)]);
 }
 
-/// The images of all vertices.
+/// The image of each vertex.
 std::vector<int> vertex_images(const PolygonMesh& mesh, const Automorphism& map);
 
 /// The same automorphism on catmull_clark(mesh).mesh.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Orbits of vertices, what their stabilizers leave free, and the products with B.
+/// Orbits of vertices, the directions that their stabilizers leave free, and products with B.
 #include "mesh/coordinates.h"
 
 #include <Eigen/Jacobi>
@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/// Where a singular value of S - I counts as zero. Words of rotations are exact to about 1e-13, and the smallest angle
-/// of a rotation is 2 pi / order.
+/// Singular values of S - I below this count as zero. Products of generators are exact to about 1e-13; a rotation of
+/// order n has singular values 2 sin(pi / n), far above.
 constexpr double kFixed = 1e-9;
 /// Cosine of the angle between columns that count as orthogonal.
 constexpr double kOrthogonal = 1e-14;
@@ -28,9 +28,10 @@ struct FixedSubspace {
     if (dimension > 0 && (isometry - Matrix3d::Identity()).norm() >= kFixed) intersect_with_another(isometry);
   }
 
-  /// The singular values of S - I on the subspace are the lengths that its columns have when rotations of pairs of them
-  /// (one-sided Jacobi) have made them orthogonal; the same rotations turn the basis.
-  /// Seldom, and large: apart from the loop over all vertices, a browser need not compile it well.
+  /// The fixed vectors are those that S - I maps to zero. Rotating pairs of its columns until all are orthogonal
+  /// (one-sided Jacobi) makes the lengths of the columns its singular values; the same rotations are applied to the
+  /// basis. Called rarely, but large once inlined: kept out of the loop over all vertices, so that a browser need not
+  /// optimize it.
   [[gnu::noinline]] void intersect_with_another(const Matrix3d& isometry) {
     Matrix3d moved = isometry * basis - basis;
     for (bool rotated = true; rotated;) {
@@ -46,7 +47,8 @@ struct FixedSubspace {
     dimension = fixed;
   }
 
-  /// Whether the columns i and j, longer than kFixed, had to be rotated.
+  /// Makes the columns i and j orthogonal; returns whether they had to be rotated. Columns shorter than kFixed count as
+  /// zero.
   bool make_orthogonal(Matrix3d& moved, int i, int j) {
     const double squares = moved.col(i).squaredNorm(), others = moved.col(j).squaredNorm();
     const double product = moved.col(i).dot(moved.col(j));
@@ -71,7 +73,7 @@ Coordinates::Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group) : 
   std::vector<std::vector<int>> images;
   for (const Symmetry& generator : group.generators) images.push_back(vertex_images(mesh, generator.map));
 
-  // R_w maps the first vertex of an orbit to vertex w: `basis` until the orbit is complete.
+  // R_w maps the first vertex of an orbit to vertex w. rows_[w].basis holds R_w until the orbit is complete.
   std::vector<bool> reached(vertex_count_, false);
   std::vector<int> orbit;
   for (int first = 0; first < vertex_count_; ++first) {
@@ -174,7 +176,7 @@ Points Coordinates::control_from_orbits(const Points& points) const {
     const Rows& rows = rows_[first_of_orbit_[i]];
     const Vector3 point = points.row(i).transpose() - offset_;
     for (int k = 0; k < rows.dimension; ++k) {
-      const auto column = rows.basis.col(k);  // of length 1/sqrt(orbit's size)
+      const auto column = rows.basis.col(k);  // its length is 1/sqrt(orbit size)
       unknowns[rows.first + k] = column.dot(point) / column.squaredNorm();
     }
   }

@@ -10,32 +10,35 @@
 
 namespace umbilic {
 
-/// control = offset + B unknowns, where B^T B = I. B has one block of at most three columns in the rows of each
-/// vertex, and vertices of one orbit share their columns, so that every function here is linear in the number of
-/// vertices. The versions with a result parameter resize it if need be and allocate nothing else.
+/// control = offset + B unknowns, with B^T B = I.
+///
+/// Under a symmetry group only one vertex of each orbit is free, and only in the directions that its stabilizer fixes:
+/// a vertex on a mirror plane has two unknowns, one on a rotation axis has one. Vertices of one orbit share the same
+/// columns of B, and each has a block of at most three, so every function here takes linear time. Versions with a
+/// result parameter resize it when needed and allocate nothing else.
 class Coordinates {
  public:
-  /// Rows of B of one vertex: its position is offset + basis unknowns[first, first + dimension).
+  /// The rows of B of one vertex: its position is offset + basis unknowns[first, first + dimension).
   struct Block {
     int first = 0;
     int dimension = 0;
     Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3> basis;  ///< 3 x dimension
   };
 
-  /// Every coordinate free: B = I, offset 0.
+  /// All coordinates are free: B = I, offset 0.
   explicit Coordinates(int vertex_count);
-  /// The points that are symmetric under the group, about its center.
+  /// Coordinates of the points that are symmetric under the group, about its center.
   Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group);
 
   /// Whether B = I.
   bool free() const { return rows_.empty(); }
-  int count() const { return count_; }  ///< of unknowns
+  int count() const { return count_; }  ///< number of unknowns
   int vertex_count() const { return vertex_count_; }
 
   Points control(const Eigen::VectorXd& unknowns) const;
   void control(const Eigen::VectorXd& unknowns, Points& control) const;
 
-  /// B^T (control - offset): the unknowns of the nearest points that are symmetric.
+  /// B^T (control - offset): the unknowns of the symmetric points nearest to `control`.
   Eigen::VectorXd unknowns(const Points& control) const;
   void unknowns(const Points& control, Eigen::VectorXd& unknowns) const;
 
@@ -43,19 +46,19 @@ class Coordinates {
   Eigen::VectorXd pull_back(const Points& gradient) const;
   void pull_back(const Points& gradient, Eigen::VectorXd& unknowns) const;
 
-  /// The points of the first vertex of each orbit, in the order of these vertices; of every vertex where all are free.
+  /// The points of the first vertex of each orbit, ordered by vertex; all points if every coordinate is free.
   Points orbit_points(const Points& control) const;
-  /// The symmetric points with these points of the first vertices, each moved to the nearest place that its vertex's
-  /// stabilizer leaves free. `points` has `orbit_count` rows.
+  /// The inverse of `orbit_points`: symmetric points from those of the first vertices, `orbit_count` x 3. Each is first
+  /// projected to the nearest position that its vertex's stabilizer fixes.
   Points control_from_orbits(const Points& points) const;
   int orbit_count() const { return free() ? vertex_count_ : static_cast<int>(first_of_orbit_.size()); }
 
   Block block(int vertex) const;
-  /// B, 3 vertex_count x count.
+  /// B as a sparse matrix, 3 vertex_count x count.
   Eigen::SparseMatrix<double> matrix() const;
 
  private:
-  /// Columns of `basis` from `dimension` on are not used.
+  /// Only the first `dimension` columns of `basis` are used.
   struct Rows {
     int first = 0;
     int dimension = 0;
@@ -66,9 +69,9 @@ class Coordinates {
 
   int vertex_count_ = 0;
   int count_ = 0;
-  Vector3 offset_ = Vector3::Zero();  ///< of each vertex
-  std::vector<Rows> rows_;            ///< of each vertex; empty where every coordinate is free
-  std::vector<int> first_of_orbit_;   ///< empty where every coordinate is free
+  Vector3 offset_ = Vector3::Zero();  ///< the same for all vertices
+  std::vector<Rows> rows_;            ///< one per vertex; empty if every coordinate is free
+  std::vector<int> first_of_orbit_;   ///< first vertex of each orbit; empty if every coordinate is free
 };
 
 }  // namespace umbilic

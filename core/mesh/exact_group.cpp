@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 
 constexpr int kMaxSteps = 12;
-/// Largest entry of a defect that is rounding alone, for words of a few and of several hundred generators.
+/// Largest entry of a defect that is pure rounding, for products of a few generators and of several hundred.
 constexpr double kRounding = 2e-15, kAccepted = 1e-11;
 
 Matrix3d nearest_orthogonal(const Matrix3d& m) {
@@ -69,7 +69,7 @@ bool make_exact(const Elements& elements, std::vector<Symmetry>& generators) {
   for (int step = 0; step < kMaxSteps && error > kRounding; ++step) {
     std::vector<Symmetry> better = generators;
     for (std::size_t g = 0; g < generators.size(); ++g) {
-      // The mean as a correction of R_g, so that a sum over thousands of elements rounds like a small one.
+      // Averages the correction of R_g rather than R_g itself, so that rounding stays small over thousands of elements.
       const Matrix3d& isometry = generators[g].isometry;
       Matrix3d correction = Matrix3d::Zero();
       for (int h = 0; h < elements.count(); ++h) {

@@ -9,8 +9,8 @@
 
 namespace umbilic {
 
-/// Element i maps a base flag to flags[i]; element 0 is the identity. Element i > 0 is the product of generator
-/// by[i] and element from[i] < i.
+/// All elements of a group. Element i maps the base flag to flags[i]; element 0 is the identity. For i > 0, element i
+/// is generator by[i] times element from[i], with from[i] < i.
 struct Elements {
   std::vector<Flag> flags;
   std::vector<int> by, from;
@@ -19,16 +19,16 @@ struct Elements {
   int count() const { return static_cast<int>(flags.size()); }
 };
 
-/// The orbit of `base`.
+/// All elements of the group that `generators` generate, found as the orbit of the flag `base`.
 Elements elements(const std::vector<Symmetry>& generators, Flag base, int halfedge_count);
 
-/// The isometries of all elements, as words in those of the generators.
+/// The isometry of each element, a product of the generators' isometries.
 std::vector<Eigen::Matrix3d> isometries(const Elements& elements, const std::vector<Symmetry>& generators);
 
-/// Replaces each R_g by the orthogonal matrix nearest to the mean of R_{gh} R_h^T over all elements h, until R_{gh} =
-/// R_g R_h to rounding for all generators g: products of noisy isometries then depend only on the element. The error
-/// squares with each step (Grove, Karcher & Ruh 1974). False where it does not vanish. Generators that are exact remain
-/// as they are.
+/// Makes the generators' isometries satisfy the relations of the group to rounding, so that the product for an element
+/// no longer depends on how it is written in generators. Each R_g is replaced by the orthogonal matrix nearest to the
+/// mean of R_{gh} R_h^T over all elements h, until R_{gh} = R_g R_h for all generators g. The error squares in each
+/// step (Grove, Karcher & Ruh 1974). Returns false if it does not vanish. Exact generators are left unchanged.
 bool make_exact(const Elements& elements, std::vector<Symmetry>& generators);
 
 }  // namespace umbilic

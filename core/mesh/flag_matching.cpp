@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The base half-edge, the extension of a map from it, and the fit of an isometry.
+/// Chooses the base half-edge, extends maps from it, and fits isometries.
 #include "mesh/flag_matching.h"
 
 #include <Eigen/Eigenvalues>
@@ -15,14 +15,15 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/// Points this close to a line or plane, relative to the extent and as a root mean square, do not tell on which side of
-/// it they lie.
+/// Points closer to a line or plane than this (root mean square, relative to the extent) count as lying in it.
 constexpr double kFlat = 10 * kSymmetryTolerance;
 
-/// How much farther off than points of the base component others may be, before the isometry is fitted to them as well.
+/// Points of other components may be this many times farther off than those of the base component before the isometry
+/// is fitted to all of them.
 constexpr double kLever = 10;
 
-/// Sizes of the cells into which half-edges are sorted to guess how many resemble each other.
+/// Half-edges whose radii and lengths fall into the same cell of this size (relative to the extent) count as similar
+/// when the rarest one is chosen.
 constexpr double kCell = 20 * kSymmetryTolerance;
 
 }  // namespace
@@ -144,7 +145,8 @@ bool FlagMatching::extend(int h, Flag image, const Matrix3d* isometry, double to
     reach(mesh_.twin(from), mesh_.twin(to));
   }
   charge(static_cast<double>(queue_.size()));
-  // With equal valences and face sizes the map covers the component of `image`; equal sizes make it one to one.
+  // Equal valences and face sizes imply that the map covers the component of `image`; equal component sizes, that it is
+  // one to one.
   if (!consistent) {
     for (const int from : queue_) map.halfedges[from] = -1;
   }

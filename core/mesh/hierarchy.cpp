@@ -34,7 +34,7 @@ Result<int> required_level(const PolygonMesh& mesh) {
     all_quads = all_quads && mesh.face_size(f) == 4;
   }
   if (is_evaluable(mesh)) return 0;
-  if (all_quads) return 1;  // old vertices stand apart after a step, and faces become vertices of valence 4
+  if (all_quads) return 1;  // one step separates the old vertices, and each face point has valence 4
   return is_evaluable(catmull_clark_mesh(mesh)) ? 1 : 2;
 }
 

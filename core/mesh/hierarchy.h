@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Which refinements of a cage the limit surface can be evaluated on.
+/// At which refinement of a cage the limit surface can be evaluated.
 #pragma once
 
 #include "base/result.h"

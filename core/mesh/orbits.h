@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Which elements of a mesh are images of one another.
+/// Partition of the elements of a mesh into orbits of its symmetry group.
 #pragma once
 
 #include <vector>
 
 namespace umbilic {
 
-/// A partition into orbits, numbered by their first elements.
+/// Orbits are numbered in the order of their first elements.
 struct Orbits {
-  std::vector<int> of;     ///< of each element: its orbit
-  std::vector<int> sizes;  ///< of each orbit: its elements
+  std::vector<int> of;     ///< the orbit of each element
+  std::vector<int> sizes;  ///< the number of elements of each orbit
 };
 
 }  // namespace umbilic

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Pairs half-edges by their undirected end points: sorted by the smaller one, and at each vertex by the larger one.
+/// Pairs half-edges that have the same end points, by a counting sort on the smaller vertex and a sort on the larger.
 #include "mesh/polygon_mesh.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ void PolygonMesh::connect() {
     ++end[std::min(origin(h), target(h)) + 1];
   }
   std::partial_sum(end.begin(), end.end(), end.begin());
-  // Until they are filled, the half-edges of vertex v end where they begin.
+  // While it is being filled, end[v] is where the next half-edge of v goes; it starts at the first.
   for (int h = 0; h < count; ++h) sorted[end[std::min(origin(h), target(h))]++] = h;
   const auto by_larger_end = [&](int a, int b) {
     return std::pair(std::max(origin(a), target(a)), a) < std::pair(std::max(origin(b), target(b)), b);

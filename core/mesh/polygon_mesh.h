@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Connectivity of a closed oriented polygon mesh: half-edges named by the corners that they start from.
+/// Connectivity of a closed oriented polygon mesh, as half-edges.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace umbilic {
 
-/// A half-edge h is the corner it leaves: it runs from `origin(h)` to `origin(next(h))` along face `face(h)`. Faces
-/// keep the corner order of the cage.
+/// A half-edge h is named by a face corner: it runs from `origin(h)` to `origin(next(h))` along face `face(h)`. Corners
+/// of faces keep the order of the cage.
 class PolygonMesh {
  public:
-  /// `cage` has passed `validate`.
+  /// `cage` must have passed `validate`.
   explicit PolygonMesh(const Cage& cage);
   PolygonMesh(int vertex_count, const std::vector<std::vector<int>>& faces);
   static PolygonMesh of_quads(int vertex_count, const std::vector<std::array<int, 4>>& quads);
@@ -52,7 +52,7 @@ class PolygonMesh {
   std::vector<int> origin_;    // half-edge -> vertex
   std::vector<int> face_;      // half-edge -> face
   std::vector<int> twin_;      // half-edge -> opposite half-edge
-  std::vector<int> edge_;      // half-edge -> edge; edges stand in the order of their smaller, then larger vertices
+  std::vector<int> edge_;      // half-edge -> edge; edges are sorted by their smaller, then their larger vertex
   std::vector<int> outgoing_;  // vertex -> one half-edge that leaves it
   std::vector<int> valence_;   // vertex -> number of edges
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Axes, their orders and the mirrors decide the symbol.
+/// Derives the symbol from the axes, their orders and the mirrors.
 #include "mesh/schoenflies.h"
 
 #include <fmt/format.h>
@@ -17,16 +17,17 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kParallel = 1e-6;  // of unit vectors; axes of a finite group other than Cn or Dn are 20 degrees apart
+/// Axes are parallel if the sine of their angle is smaller. Except in Cn and Dn, different axes are 20 degrees apart.
+constexpr double kParallel = 1e-6;
 
-/// Angle in [0, pi] of a rotation, well conditioned everywhere.
+/// The rotation's angle in [0, pi], accurate for all angles.
 double angle_of(const Matrix3d& rotation) {
   const Vector3d twice_sine(rotation(2, 1) - rotation(1, 2), rotation(0, 2) - rotation(2, 0),
                             rotation(1, 0) - rotation(0, 1));
   return std::atan2(twice_sine.norm(), rotation.trace() - 1);
 }
 
-/// Unit vector v with m v = v; `m` is a rotation other than the identity, or minus a mirror, whose normal it is.
+/// The unit vector v with m v = v. `m` is a rotation other than the identity, or minus a mirror; then v is its normal.
 Vector3d axis_of(const Matrix3d& m) {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(m + m.transpose());
   return solver.eigenvectors().col(2);
@@ -34,11 +35,11 @@ Vector3d axis_of(const Matrix3d& m) {
 
 bool parallel(const Vector3d& a, const Vector3d& b) { return a.cross(b).norm() < kParallel; }
 
-/// The subgroup of rotations.
+/// What the symbol needs to know of the rotations in the group.
 struct Rotations {
   int order = 1;
   bool one_axis = true;
-  double smallest_angle = 4;    // more than pi: none
+  double smallest_angle = 4;    // 4 > pi while there is no rotation
   Vector3d principal{0, 0, 0};  // axis of the smallest angle
 
   void add(const Matrix3d& rotation) {
@@ -66,7 +67,7 @@ std::string schoenflies_symbol(const std::vector<Matrix3d>& elements) {
   bool inversion = false, horizontal = false, mirror = false;
   for (const Matrix3d& m : elements) {
     if (m.determinant() > 0) continue;
-    const double angle = angle_of(-m);  // a mirror is minus a half turn
+    const double angle = angle_of(-m);  // minus a mirror is a half turn
     inversion = inversion || angle < kParallel;
     if (angle < std::numbers::pi - kParallel) continue;
     mirror = true;
@@ -86,7 +87,8 @@ std::string schoenflies_symbol(const std::vector<Matrix3d>& elements) {
     return fmt::format("{}{}", symbol, fold == 3 && !inversion ? "d" : "h");
   }
   if (proper) return fmt::format("D{}", fold);
-  // The three axes of D2 are equal: any of them may be horizontal to a mirror, but only D2h has the inversion.
+  // The three axes of D2 are equivalent, so some mirror is horizontal to one of them in any case; only D2h has the
+  // inversion.
   return fmt::format("D{}{}", fold, (fold == 2 ? inversion : horizontal) ? "h" : "d");
 }
 

@@ -9,7 +9,8 @@
 
 namespace umbilic {
 
-/// `elements` are all elements, each once, orthogonal to about 1e-9. Every finite subgroup of O(3) has a symbol.
+/// `elements` lists each element of the group once, orthogonal to about 1e-9. Every finite subgroup of O(3) has a
+/// symbol.
 std::string schoenflies_symbol(const std::vector<Eigen::Matrix3d>& elements);
 
 }  // namespace umbilic

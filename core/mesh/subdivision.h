@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The Catmull-Clark step, as a new mesh and the sparse matrix that gives its control points.
+/// One Catmull-Clark step: the refined mesh, and the sparse matrix that gives its control points.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -16,10 +16,10 @@ struct Refinement {
   SparseMatrix stencil;  ///< refined vertices x vertices; each row sums to 1
 };
 
-/// Refined vertices stand in the order vertices, edges, faces of `mesh`; the quad of a half-edge h is
-/// (origin, edge of h, face, edge of previous h), in the order of the half-edges. Catmull & Clark 1978.
+/// The refined vertices are those of the vertices, then edges, then faces of `mesh`. Quads are in the order of the
+/// half-edges; that of h is (origin(h), edge of h, face of h, edge of previous(h)). Catmull & Clark 1978.
 Refinement catmull_clark(const PolygonMesh& mesh);
-/// The mesh alone.
+/// Only the mesh.
 PolygonMesh catmull_clark_mesh(const PolygonMesh& mesh);
 
 }  // namespace umbilic

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The search for generators among the images of one flag, the group that they generate, and orbits.
+/// Finds generators by trying images of one flag, completes the group that they generate, and finds orbits.
 #include "mesh/symmetry.h"
 
 #include <cmath>
@@ -14,19 +14,21 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/// Points within e of symmetric ones, about a center within e of theirs, have images within 4 e.
+/// If points lie within e of exactly symmetric ones, and the center within e of the exact one, images are off by up to
+/// 4 e.
 constexpr double kErrorsPerImage = 4;
 
-/// How often the search is repeated with a quarter of the tolerance where the symmetries found do not fit together.
+/// How often the search is repeated, each time with a quarter of the tolerance, when the symmetries found form no
+/// group.
 constexpr int kMaxSearches = 8;
 
-/// Isometries of a finite group that are nearer to the identity than this are the identity.
+/// An isometry closer to the identity than this is the identity, since elements of a finite group lie far apart.
 constexpr double kIdentity = 1e-8;
 
 enum FlagState : char { kUnknown, kReached, kRefused };
 
-/// Tries the flags that resemble the base flag as its images. A group acts freely on flags, so that each symmetry found
-/// at least doubles the group of those found, and a flag that is refused rules out its orbit.
+/// Tries all flags that resemble the base flag as its image. The group acts freely on flags, so each new symmetry at
+/// least doubles the order of the group, and a refused flag rules out its whole orbit.
 std::vector<Symmetry> find_generators(const PolygonMesh& mesh, FlagMatching& matching, double tolerance) {
   std::vector<Symmetry> generators;
   std::vector<FlagState> state(2 * static_cast<std::size_t>(mesh.halfedge_count()), kUnknown);
@@ -44,7 +46,7 @@ std::vector<Symmetry> find_generators(const PolygonMesh& mesh, FlagMatching& mat
   return generators;
 }
 
-/// Drops generators, the first ones first, without which the group stays the same.
+/// Drops each generator, from the first on, that the others make redundant.
 void drop_redundant(std::vector<Symmetry>& generators, int base, const PolygonMesh& mesh) {
   const int order = elements(generators, {base, false}, mesh.halfedge_count()).count();
   for (std::size_t i = 0; i < generators.size() && generators.size() > 1;) {
@@ -58,14 +60,14 @@ void drop_redundant(std::vector<Symmetry>& generators, int base, const PolygonMe
   }
 }
 
-/// Whether making the points symmetric moves none of them farther than `tolerance`.
+/// Whether projecting the points to symmetric ones moves none of them farther than `tolerance`.
 bool nearly_symmetric(const PolygonMesh& mesh, const Points& points, const SymmetryGroup& group, double tolerance) {
   const Coordinates coordinates(mesh, group);
   const Points symmetric = coordinates.control(coordinates.unknowns(points));
   return (symmetric - points).rowwise().norm().maxCoeff() <= tolerance;
 }
 
-/// Completes `group` from its generators. False where they generate no group of isometries.
+/// Fills in `group` from its generators. Returns false if they do not generate a finite group of isometries.
 bool complete(SymmetryGroup& group, int base, const PolygonMesh& mesh) {
   drop_redundant(group.generators, base, mesh);
   const Elements all = elements(group.generators, {base, false}, mesh.halfedge_count());

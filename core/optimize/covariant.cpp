@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// In the linear reparametrization whose directions are orthonormal at the point, Christoffel symbols are dot products.
+/// Reparametrizes linearly so that the parameter directions are orthonormal at the point; Christoffel symbols are then
+/// dot products.
 ///
 ///   Gamma^m_ij            = e_m . Y_ij
 ///   d_k Gamma^m_ij        = e_m . Y_ijk - Gamma^l_ij Gamma^m_lk + II_ij II_mk
@@ -20,7 +21,7 @@ CovariantDerivatives::CovariantDerivatives(const Eigen::Matrix<double, kThirdOrd
   const Vector3 n = cross / area;
   const double alpha = 1 / a.norm(), gamma = a.norm() / area, beta = -a.dot(b) * alpha / area;
 
-  // The reparametrization's action on derivatives: T[1] on (u, v), T[2] on (uu, uv, vv), T[3] on (uuu, uuv, uvv, vvv).
+  // How the reparametrization acts on derivatives: T[1] on (u, v), T[2] on (uu, uv, vv), T[3] on (uuu, uuv, uvv, vvv).
   using Row = Eigen::Matrix<double, 1, kThirdOrderCount>;
   const auto unit = [](int d) -> Row { return Row::Unit(d); };
   const Row f1 = alpha * unit(0), f2 = beta * unit(0) + gamma * unit(1);
@@ -71,7 +72,7 @@ CovariantDerivatives::CovariantDerivatives(const Eigen::Matrix<double, kThirdOrd
     }
     return row;
   };
-  constexpr double kTwice = std::numbers::sqrt2;  // the entries 12 and 21
+  constexpr double kTwice = std::numbers::sqrt2;  // accounts for the equal entries 12 and 21
   second << hessian[0][0], kTwice * hessian[0][1], hessian[1][1];
   if (!with_third) return;
   third << derivative(0, 0, 0), kTwice * derivative(0, 0, 1), derivative(0, 1, 1), derivative(1, 0, 0),

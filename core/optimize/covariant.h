@@ -8,19 +8,19 @@
 
 namespace umbilic {
 
-/// Columns: the function's derivatives f_u, f_v, f_uu, …, f_vvv. Rows, such that the sum of their squares is the
-/// tensor's norm: three for the Hessian (11, 12 with factor sqrt 2, 22) or six for its derivative (the same three by e1
-/// and by e2).
+/// Columns: the derivatives f_u, f_v, f_uu, …, f_vvv of the function. Rows: components whose sum of squares is the
+/// squared norm of the tensor. The Hessian has three (11, sqrt 2 times 12, 22); its derivative has six (the same by e1,
+/// then by e2).
 using SecondCovariant = Eigen::Matrix<double, 3, kThirdOrderCount>;
 using ThirdCovariant = Eigen::Matrix<double, 6, kThirdOrderCount>;
 
-/// `jet` holds the surface's derivatives of order 1 to 3, a row each.
+/// `jet` holds the derivatives of order 1 to 3 of the surface, one per row.
 struct CovariantDerivatives {
   SecondCovariant second;
   ThirdCovariant third;
   double area;  ///< |X_u x X_v|
 
-  /// `third` is left out unless it is wanted.
+  /// Computes `third` only if `with_third`.
   explicit CovariantDerivatives(const Eigen::Matrix<double, kThirdOrderCount, 3>& jet, bool with_third = true);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The velocities of similarities and special conformal maps at given points.
+/// Velocities of similarities and special conformal maps at given points.
 #include "optimize/gauge.h"
 
 #include <Eigen/QR>

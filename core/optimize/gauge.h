@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The directions along which no energy can change, whatever the surface: its gauge.
+/// The gauge: the directions in which no energy changes, whatever the surface.
 ///
-/// Functionals see shapes, not where they lie: every one of them is invariant under translations, rotations and, as the
-/// area makes those of third order free of scale, changes of size. Those of second order are, up to topology, multiples
-/// of Willmore's energy, and invariant under all conformal maps of space: the special conformal directions
-/// |x|^2 e - 2 (e . x) x join the similarities.
+/// Energies depend on shape only. All of them are invariant under translations, rotations and scaling (the factor area
+/// makes those of third order independent of scale). Those of second order are, up to topology, multiples of Willmore's
+/// energy, which all conformal maps of space preserve: their gauge also has the special conformal directions |x|^2 e -
+/// 2 (e . x) x.
 ///
-/// Control points that move along a similarity move their surface along it. Along a special conformal direction they do
-/// so up to the discretization's error. Whoever looks for a minimum's own directions removes the gauge; a metric that
-/// is not invariant keeps its answers free of changes of size, which gain nothing and would add up.
+/// Moving the control points along a similarity moves the surface along it exactly; along a special conformal direction
+/// only up to the discretization error.
+///
+/// Two users: the test for a minimum removes the gauge, in which the Hessian is zero; and a metric that is not
+/// invariant under scaling keeps its directions free of it, since changes of size gain nothing and would add up.
 #pragma once
 
 #include "base/types.h"
@@ -17,7 +19,7 @@
 
 namespace umbilic {
 
-/// Which families of directions are free. A constraint that holds some of them takes them out.
+/// The families of directions in the gauge. A constraint that fixes some of them removes them from it.
 struct Gauge {
   bool translations = true;
   bool rotations = true;
@@ -27,22 +29,22 @@ struct Gauge {
   int dimension() const { return 3 * translations + 3 * rotations + scaling + 3 * conformal; }
 };
 
-/// Of a weighted functional whose surface is free in space.
+/// The gauge of a weighted functional without constraints.
 constexpr Gauge gauge_of(const Weights& weights) {
   Gauge gauge;
   gauge.conformal = !third_order(weights);
   return gauge;
 }
 
-/// A column for each direction, in the order of the members, over the coordinates 3 v + c of the control points v.
-/// Taken about the points' centroid, in units of their largest distance from it.
+/// One column per direction, in the order of the members, over the coordinates 3 v + c of the control points v.
+/// Positions are relative to the centroid and divided by the largest distance from it.
 Eigen::MatrixXd gauge_directions(const Gauge& gauge, const Points& control);
 
-/// Orthonormal columns that span the same.
+/// An orthonormal basis of the span of `gauge_directions`.
 Eigen::MatrixXd orthonormal_gauge(const Gauge& gauge, const Points& control);
 
-/// The direction of growing size about the centroid, x - mean(x): at the same time the gradient of half the points'
-/// moment about it.
+/// The direction of growth about the centroid, x - mean(x). It is also the gradient of half the points' moment about
+/// their centroid.
 Points scaling_direction(const Points& control);
 
 }  // namespace umbilic

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Adds both matrices of every patch in one pass.
+/// Assembles both matrices in one pass over the patches.
 #include "optimize/hessian_assembly.h"
 
 #include "optimize/metric_rules.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Factors with rising mu.
+/// Factors H + mu S with growing mu until it is positive definite.
 #include "optimize/hessian_metric.h"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ void HessianMetric::end_factoring() {
 }
 
 Eigen::VectorXd HessianMetric::solve(const Eigen::VectorXd& gradient) const {
-  if (!factor_.succeeded()) return gradient;  // a surface too irregular for any metric: the identity
+  if (!factor_.succeeded()) return gradient;  // too irregular a surface: use the identity
   return fixed_size_.project(factor_.solve(gradient));
 }
 

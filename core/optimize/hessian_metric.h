@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The functional's Hessian, made positive definite by a multiple of the Sobolev product, as the optimizer's metric.
+/// The optimizer's metric made of the Hessian of the functional and enough of the Sobolev product to be positive
+/// definite.
 #pragma once
 
 #include "optimize/hessian_assembly.h"
@@ -10,16 +11,20 @@
 
 namespace umbilic {
 
-/// metric = H + u v^T + v u^T + mu S on the directions d that keep the surface's size, a . d = 0.
+/// metric = H + u v^T + v u^T + mu S, restricted to the directions d that keep the surface's size: a . d = 0.
 ///
-/// The scale is free (optimize/gauge.h): energies have degree 0 in the control points x, so that x . Hessian x = 0 and
-/// Hessian x = -gradient. Newton's step would be a mere change of scale, and the Hessian indefinite wherever the
-/// gradient is not 0. With a = u, the gradient of the area, the rank-two term vanishes, and H + mu S is all that is to
-/// be factored; without a third-order part a is the direction of scaling itself. mu rises until the factorization
-/// succeeds, and falls from one surface to the next, the faster the longer it needed no rise.
+/// Why the size is kept: energies have degree 0 in the control points x (optimize/gauge.h), so x . Hessian x = 0 and
+/// Hessian x = -gradient. Without the restriction Newton's step would only change the scale, and the Hessian would be
+/// indefinite wherever the gradient is not 0.
+///
+/// Which a: with a third-order part, a = u, the gradient of the area. On a . d = 0 the rank-two term then vanishes, and
+/// only H + mu S must be factored. Without one, a is the direction of scaling itself.
+///
+/// Which mu: it grows until the factorization succeeds, and shrinks from one surface to the next, faster the longer it
+/// has not had to grow.
 class HessianMetric : public SurfaceMetric {
  public:
-  /// `layout` and `unknowns` outlive the metric.
+  /// `layout` and `unknowns` must outlive the metric.
   HessianMetric(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
                 const QuadratureRule& rule);
 
@@ -27,10 +32,10 @@ class HessianMetric : public SurfaceMetric {
   bool advance() override;
   bool knows_hessian() const override { return true; }
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
-  /// Whether mu is small, or fell no further.
+  /// Whether mu is small, or had to grow.
   bool settled() const override { return settled_; }
   void settle() override;
-  /// Whether mu hides no more than a part of the Hessian.
+  /// Whether mu is small enough that the Hessian, not the Sobolev product, dominates the metric.
   bool predicts() const override;
   /// mu.
   double sobolev_share() const override { return mu_; }

@@ -1,38 +1,39 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The numbers in the metrics' constructions, and what they were chosen from.
+/// The constants of the metrics, and the reasons for their values.
 #pragma once
 
 #include "surface/quadrature.h"
 
 namespace umbilic {
 
-/// mu of the metric H + mu S. On surfaces between a cage and its minimizer it ends between 10 and 1e-6, the smaller the
-/// nearer the minimizer. It starts in the middle of that, and may leave it by some powers of ten on either side before
-/// the metric is given up or mu falls no further.
+/// mu of the metric H + mu S. Between a cage and its minimizer it needs to be between 10 and 1e-6, smaller near the
+/// minimizer. It starts in the middle of this range. Beyond kLargestMu the metric is given up; below kSmallestMu mu
+/// shrinks no further.
 inline constexpr double kStartMu = 1e-2;
 inline constexpr double kSmallestMu = 1e-8;
 inline constexpr double kLargestMu = 1e6;
-/// By which mu rises until the metric is positive definite, and the largest by which it falls to the next surface.
+/// The factor by which mu grows until the metric is positive definite, and the largest by which it shrinks for the next
+/// surface.
 inline constexpr double kMuFactor = 10;
 inline constexpr double kLargestMuFall = 1e3;
-/// So small a multiple of the Sobolev product hides no decrease that matters.
+/// A Sobolev term with so small a factor hides no decrease that matters.
 inline constexpr double kSettledMu = 1e-5;
-/// From here on the Sobolev product makes up the metric: what it predicts is but the smaller for a larger mu.
+/// From here on the Sobolev product dominates, so the predicted decrease only measures mu: it shrinks as mu grows.
 inline constexpr double kUninformativeMu = 10;
 
-/// Regularization at umbilics of the metric's Hessian, relative to the norm of II: with that of the energy itself
-/// single samples near umbilics make mu rise by orders of magnitude.
+/// Regularization at umbilics in the Hessian of the metric, relative to the norm of II. With the much smaller one of
+/// the energy, single samples near umbilics would raise mu by orders of magnitude.
 inline constexpr double kMetricUmbilicEta = 0.03;
 
-/// A Sobolev product needs no exact integrals, only that no direction is missed.
+/// Quadrature of the Sobolev product. It need not be accurate; it must only see every direction.
 inline constexpr QuadratureRule kSobolevRule{3, 3, 2};
-/// Its mass term removes the kernel: a small part of what |grad^k f|^2 is for functions that vary over a tenth of
-/// sqrt(area), as the details of a surface do.
+/// The mass term of the Sobolev product, which removes its kernel: kMassShare times what |grad^k f|^2 is for an f that
+/// varies over sqrt(area) / kMassWaves, the size of a surface's details.
 inline constexpr double kMassShare = 0.01;
 inline constexpr double kMassWaves = 10;
 
-/// Samples whose contributions one step of building a metric adds, such that it costs about an energy evaluation.
+/// Samples that one part of the work on a metric processes, so that it costs about one energy evaluation.
 inline constexpr int kHessianSamplesPerPart = 300;
 inline constexpr int kSobolevSamplesPerPart = 3000;
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Builds the pattern from the orbits that meet in a patch or a cap, and scatters blocks into it.
+/// Builds the pattern from the orbits that occur together in a patch or a cap, and adds blocks to it.
 ///
-/// With H_pp, H_pq and H_qq a patch's matrix between its control points p and the coefficients of its sector, c = T q
-/// with q those of the cap in sector 0 and q = F y, the patch contributes H_pp + H_pq T F + (H_pq T F)^T + F^T T^T H_qq
-/// T F. H_pp is scattered at once; the sums of H_pq T and T^T H_qq T wait at the cap.
+/// H_pp, H_pq and H_qq are the blocks of a patch's matrix between its control points p and the coefficients c of its
+/// sector. c = T q, with q the cap's coefficients in sector 0, and q = F y, a linear function of the unknowns y. So the
+/// patch contributes H_pp + H_pq T F + (H_pq T F)^T + F^T T^T H_qq T F. H_pp is added at once; H_pq T and T^T H_qq T
+/// are summed per cap until `eliminate`.
 #include "optimize/patch_assembly.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace umbilic {
 namespace {
 
-/// A patch's matrix as it is handed over, of which half is read.
+/// A patch's matrix as the caller passes it; only half of it is read.
 struct FullBlock {
   static constexpr bool kSameForAllCoordinates = false;
   const double* entries;
@@ -34,17 +35,17 @@ struct ScalarBlock {
   double operator()(int c, int i, int e, int j) const { return c != e ? 0 : i >= j ? entries(i, j) : entries(j, i); }
 };
 
-void sort_out(std::vector<int>& values) {
+void sort_unique(std::vector<int>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 /// The index of a value in a sorted list.
-int place(const std::vector<int>& rising, int value) {
-  return static_cast<int>(std::lower_bound(rising.begin(), rising.end(), value) - rising.begin());
+int index_in(const std::vector<int>& sorted, int value) {
+  return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
 }
 
-/// A patch's points that are control points; they stand first.
+/// Number of a patch's points that are control points; they come first.
 int net_count(const PatchSet& patches) { return patches.columns - coefficient_count(patches.kind.shape); }
 
 }  // namespace
@@ -93,14 +94,14 @@ void PatchAssembly::build_eliminations() {
       const Coordinates::Block& block = blocks_[vertex];
       for (int k = 0; k < block.dimension; ++k) here.unknowns.push_back(block.first + k);
     }
-    sort_out(here.unknowns);
+    sort_unique(here.unknowns);
     here.fitted.assign(here.unknowns.size(), false);
     const Eigen::MatrixXd& fit = sector.fit();
     here.fit.setZero(static_cast<Eigen::Index>(coordinates()) * count, static_cast<Eigen::Index>(here.unknowns.size()));
     for (const int i : sector.fit_support()) {
       const Coordinates::Block& block = blocks_[cap.net[i]];
       for (int k = 0; k < block.dimension; ++k) {
-        const int unknown = place(here.unknowns, block.first) + k;
+        const int unknown = index_in(here.unknowns, block.first) + k;
         here.fitted[unknown] = true;
         auto column = here.fit.col(unknown);
         for (int c = 0; c < coordinates(); ++c) column.segment(c * count, count) += block.basis(c, k) * fit.col(i);
@@ -109,22 +110,22 @@ void PatchAssembly::build_eliminations() {
   }
 }
 
-/// The orbits with unknowns, rising.
+/// The orbits with unknowns to which the vertices belong, sorted.
 std::vector<int> PatchAssembly::orbits_at(const int* vertices, std::size_t count) const {
   std::vector<int> met;
   for (std::size_t i = 0; i < count; ++i) {
     if (vertices[i] >= 0 && orbit_of_[vertices[i]] >= 0) met.push_back(orbit_of_[vertices[i]]);
   }
-  sort_out(met);
+  sort_unique(met);
   return met;
 }
 
-/// Each of some orbits has entries with each of the others.
+/// Notes that each orbit of `some` has entries with each orbit of `others`.
 void PatchAssembly::add_neighbours(const std::vector<int>& some, const std::vector<int>& others) {
   for (const int orbit : some) {
     auto& neighbours = orbits_[orbit].neighbours;
     neighbours.insert(neighbours.end(), std::lower_bound(others.begin(), others.end(), orbit), others.end());
-    if (neighbours.size() > 4096) sort_out(neighbours);
+    if (neighbours.size() > 4096) sort_unique(neighbours);
   }
 }
 
@@ -150,7 +151,7 @@ void PatchAssembly::build_pattern() {
     Orbit& orbit = orbits_[o];
     auto& neighbours = orbit.neighbours;
     neighbours.push_back(static_cast<int>(o));
-    sort_out(neighbours);
+    sort_unique(neighbours);
     neighbours.shrink_to_fit();
     int rows = 0;
     for (const int n : neighbours) {
@@ -170,7 +171,7 @@ void PatchAssembly::build_pattern() {
   find_rows();
 }
 
-/// Pairs are met in the order of `add_block`.
+/// Visits pairs in the same order as `add_block`.
 void PatchAssembly::find_rows() {
   for (const PatchSet& patches : layout_.sets()) {
     std::vector<int>& rows = rows_.emplace_back();
@@ -182,7 +183,7 @@ void PatchAssembly::find_rows() {
         for (int j = 0; j <= i; ++j) {
           const int low = std::max(orbit_of_[points[i]], orbit_of_[points[j]]);
           const int high = std::min(orbit_of_[points[i]], orbit_of_[points[j]]);
-          rows.push_back(high < 0 ? -1 : orbits_[high].rows[place(orbits_[high].neighbours, low)]);
+          rows.push_back(high < 0 ? -1 : orbits_[high].rows[index_in(orbits_[high].neighbours, low)]);
         }
       }
     }
@@ -206,7 +207,7 @@ void PatchAssembly::scatter(int row, int column, int first_row, bool one_place, 
   const Orbit& orbit = orbits_[high];
   const int height = orbits_[low].dimension;
   for (int k = 0; k < orbit.dimension; ++k) {
-    // Column k of the lower triangle lacks its first k entries.
+    // Column k of the lower triangle has no entries above row k.
     double* to = values.data() + outer_[orbit.first + k] + first_row - k;
     if (low != high) {
       for (int i = 0; i < height; ++i) to[i] += turn ? block(k, i) : block(i, k);
@@ -230,7 +231,7 @@ void PatchAssembly::add_block(int set, int patch, const Block& block, PatchSums&
       const int column = orbit_of_[points[j]];
       if (*first_row < 0) continue;
       const Coordinates::Block& right = blocks_[points[j]];
-      Eigen::Matrix3d half, reduced;  // entries times right.basis, then left.basis^T times that
+      Eigen::Matrix3d half, reduced;  // entries right.basis, and left.basis^T entries right.basis
       for (int c = 0; c < coordinates(); ++c) {
         for (int k = 0; k < right.dimension; ++k) {
           double sum = 0;
@@ -283,7 +284,7 @@ void PatchAssembly::add_coefficients(int set, int patch, const Block& block, Pat
       waiting.own.block(c * count, e * count, count, count) += part;
       for (int i = 0; i < net; ++i) {
         const Coordinates::Block& unknowns = blocks_[points[i]];
-        const int first = place(elimination.unknowns, unknowns.first);
+        const int first = index_in(elimination.unknowns, unknowns.first);
         for (int k = 0; k < unknowns.dimension; ++k) {
           waiting.mixed.col(first + k).segment(c * count, count) += unknowns.basis(e, k) * mixed.col(i);
         }

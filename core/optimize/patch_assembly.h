@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Sums the patches' symmetric matrices into a sparse symmetric matrix over the unknowns.
+/// Sums the symmetric matrices of the patches into a sparse symmetric matrix over the unknowns.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -11,12 +11,12 @@
 
 namespace umbilic {
 
-/// Walks through the patches of a layout in parts.
+/// Iterates over the patches of a layout, a part at a time.
 struct PatchCursor {
   int set = 0;
   int patch = 0;
 
-  /// Calls `add(set, patch)`, which returns its cost, until `budget` is spent. Returns whether all patches are done.
+  /// Calls `add(set, patch)`, which returns the cost, until `budget` is used up. Returns whether all patches are done.
   template <class Add>
   bool visit(const PatchLayout& layout, int budget, const Add& add) {
     while (budget > 0 && set < static_cast<int>(layout.sets().size())) {
@@ -30,56 +30,56 @@ struct PatchCursor {
   }
 };
 
-/// What some patches add up to.
+/// The sums of a PatchAssembly over the patches added so far.
 struct PatchSums {
-  /// Of the matrix between a cap's coefficients in sector 0's coordinates, c * coefficients + k, and the unknowns that
-  /// its net depends on.
+  /// The blocks between a cap's coefficients, c * coefficients + k in the coordinates of sector 0, and the unknowns of
+  /// its net.
   struct CapSums {
     Eigen::MatrixXd mixed;  ///< unknowns x coefficients
     Eigen::MatrixXd own;    ///< coefficients x coefficients
   };
-  std::vector<double> values;  ///< of the pattern
+  std::vector<double> values;  ///< of the entries of the pattern
   std::vector<CapSums> caps;
 };
 
-/// The pattern of all matrices that the patches of a layout contribute to, and how they do. Control points are replaced
-/// by the unknowns that they depend on; the caps' coefficients are eliminated, once for each cap, when all patches are
-/// added. Sums live outside, so that several matrices share one pattern.
+/// The sparsity pattern of all matrices that are sums over the patches of a layout, and the rules for adding to them.
+/// Control points are expressed by the unknowns, and the caps' coefficients are eliminated, once per cap after all
+/// patches are added. The sums are separate objects, so that several matrices share one pattern.
 class PatchAssembly {
  public:
-  /// Over the unknowns of `coordinates`.
+  /// For a matrix over the unknowns of `coordinates`.
   PatchAssembly(const PatchLayout& layout, const Coordinates& coordinates);
-  /// Over the control points: one row and column for each.
+  /// For a matrix over the control points, with one row and column for each.
   explicit PatchAssembly(const PatchLayout& layout);
 
   int size() const { return static_cast<int>(outer_.size()) - 1; }
   std::size_t nonzeros() const { return inner_.size(); }
 
-  /// Sums of nothing.
+  /// Sets the sums to zero.
   void clear(PatchSums& sums) const;
-  /// `block` is 3 columns x 3 columns, row-major, over the coordinates c * columns + i of the patch's points i; where
-  /// c == e only i >= j is read of ((c, i), (e, j)), and of c != e only c > e. `columns` is at least the set's.
+  /// Adds a patch's matrix. `block` is 3 columns x 3 columns, row-major, over the coordinates c * columns + i of the
+  /// patch's points i. Of the entries ((c, i), (e, j)) only those with c > e, or c == e and i >= j, are read. `columns`
+  /// may exceed the set's.
   void add(int set, int patch, const double* block, int columns, PatchSums& sums) const;
-  /// `block` is a symmetric matrix over the patch's points, the same for all three coordinates, of which i >= j is
-  /// read.
+  /// Adds a matrix over the patch's points that is the same for all three coordinates. Only i >= j is read of `block`.
   void add_scalar(int set, int patch, const Eigen::MatrixXd& block, PatchSums& sums) const;
-  /// Moves what waits at the caps to the values.
+  /// Adds what was summed per cap to the values. Call once, after all patches.
   void eliminate(PatchSums& sums) const;
 
-  /// The lower triangle with these values.
+  /// The lower triangle of the matrix with these values.
   Eigen::Map<const Eigen::SparseMatrix<double>> lower(const std::vector<double>& values) const;
 
  private:
   /// Vertices that share the unknowns [first, first + dimension).
   struct Orbit {
     int first, dimension;
-    std::vector<int> neighbours;  ///< orbits >= this one, rising
-    std::vector<int> rows;        ///< where each neighbour's rows begin, counted from the column's first entry
+    std::vector<int> neighbours;  ///< orbits >= this one, sorted
+    std::vector<int> rows;        ///< offset of each neighbour's rows from the first entry of the column
   };
-  /// A cap's coefficients as a function of its net's unknowns, of which only some decide them.
+  /// A cap's coefficients as a linear function of the unknowns of its net. They depend on some of these only.
   struct Elimination {
-    std::vector<int> unknowns;  ///< rising
-    std::vector<bool> fitted;   ///< whether the coefficients depend on each
+    std::vector<int> unknowns;  ///< sorted
+    std::vector<bool> fitted;   ///< of each unknown: whether the coefficients depend on it
     Eigen::MatrixXd fit;        ///< coefficients x unknowns
   };
   void build(std::vector<Coordinates::Block> blocks);
@@ -88,26 +88,27 @@ class PatchAssembly {
   void add_neighbours(const std::vector<int>& some, const std::vector<int>& others);
   void build_pattern();
   void find_rows();
-  /// Of which the unknowns of a vertex are combinations: 1 where the matrix is scalar.
+  /// Number of coordinates per vertex: 1 if the matrix is scalar.
   int coordinates() const { return scalar_ ? 1 : 3; }
 
   template <class Block>
   void add_block(int set, int patch, const Block& block, PatchSums& sums) const;
   template <class Block>
   void add_coefficients(int set, int patch, const Block& block, PatchSums& sums) const;
-  /// Adds the block between two orbits, and its transpose unless it belongs to one place; `first_row` as in `rows_`.
+  /// Adds the block between two orbits, and its transpose unless both are the same point of the patch (`one_place`).
+  /// `first_row` as in `rows_`.
   void scatter(int row, int column, int first_row, bool one_place, const Eigen::Matrix3d& block,
                std::vector<double>& values) const;
 
   const PatchLayout& layout_;
   bool scalar_;
-  std::vector<Coordinates::Block> blocks_;  ///< of each vertex; in a scalar matrix the first coordinate stands for all
-  std::vector<int> orbit_of_;               ///< of each vertex, -1 without unknowns
+  std::vector<Coordinates::Block> blocks_;  ///< of each vertex; if scalar, the first coordinate stands for all
+  std::vector<int> orbit_of_;               ///< of each vertex; -1 if it has no unknowns
   std::vector<Orbit> orbits_;
-  std::vector<Elimination> eliminations_;  ///< of each cap; empty without coefficients
+  std::vector<Elimination> eliminations_;  ///< of each cap; empty if it has no coefficients
   std::vector<int> outer_, inner_;
-  /// Of each set, patch and pair of its control points: where the block of the later orbit begins, counted from the
-  /// first entry of the earlier one's column; -1 without unknowns.
+  /// For each set, patch and pair of its control points: offset of the later orbit's block from the first entry of the
+  /// earlier orbit's column; -1 if one of them has no unknowns.
   std::vector<std::vector<int>> rows_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Builds the Sobolev matrix in parts.
+/// Assembles the Sobolev matrix in parts.
 #include "optimize/sobolev.h"
 
 #include "optimize/gauge.h"
@@ -58,7 +58,7 @@ bool SobolevMetric::advance() {
 }
 
 Eigen::VectorXd SobolevMetric::solve(const Eigen::VectorXd& gradient) const {
-  if (!factor_.succeeded()) return gradient;  // a surface too irregular for its own metric: the identity
+  if (!factor_.succeeded()) return gradient;  // too irregular a surface: use the identity
   return fixed_size_.project(solve_freely(gradient));
 }
 

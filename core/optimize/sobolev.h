@@ -14,12 +14,12 @@
 
 namespace umbilic {
 
-/// Assembles the matrix, some patches at a time, and factors it. Where every coordinate is free one scalar matrix
-/// serves all three coordinates. Directions keep the moment of the control points about their centroid: the
-/// product is not invariant under scaling, as the energy is, and surfaces would grow from step to step.
+/// Assembles the matrix, some patches at a time, and factors it. If every coordinate is free, one scalar matrix serves
+/// all three coordinates. Directions are projected so that they keep the moment of the control points about their
+/// centroid: unlike the energy, the product is not invariant under scaling, and surfaces would grow from step to step.
 class SobolevMetric : public SurfaceMetric {
  public:
-  /// `energy` and `unknowns` outlive the metric.
+  /// `energy` and `unknowns` must outlive the metric.
   SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns);
 
   void begin(const Points& control) override;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Products of covariant derivatives at the samples of a coarse rule.
+/// Products of covariant derivatives at the samples of a low-order rule.
 #include "optimize/sobolev_form.h"
 
 #include <cmath>
@@ -17,7 +17,7 @@ double third_order_weight(const Weights& w) {
   return w[kMvs] + w[kMvsCross] + w[kMehlumTarrou] / 2 + w[kSecondFormVariation];
 }
 
-/// The derivatives of order 1 to 3 at sample s, of rows d * samples + s.
+/// The derivatives of order 1 to 3 at sample s, from rows d * samples + s.
 template <class Rows>
 Eigen::Matrix<double, kThirdOrderCount, Rows::ColsAtCompileTime> at_sample(const Rows& all, int samples, int s) {
   Eigen::Matrix<double, kThirdOrderCount, Rows::ColsAtCompileTime> rows(kThirdOrderCount, all.cols());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Metrics that follow the surface: built at a surface in parts, used until the next is begun.
+/// Metrics that depend on the surface: built at one surface in parts, then used until the next one is begun.
 #pragma once
 
 #include "energy/surface_energy.h"
@@ -10,16 +10,16 @@ namespace umbilic {
 
 class SurfaceMetric : public Metric {
  public:
-  /// Starts to build the metric at a surface with these control points.
+  /// Begins to build the metric at a surface with these control points.
   virtual void begin(const Points& control) = 0;
-  /// Does a part of the work, of about the cost of one energy evaluation; returns whether the metric is ready.
+  /// Does about as much work as one energy evaluation. Returns whether the metric is ready.
   virtual bool advance() = 0;
-  /// Whether curvature pairs from before the metric was built say less than the metric.
+  /// Whether the metric is better than the curvature pairs collected before it was built, which may then be dropped.
   virtual bool knows_hessian() const = 0;
-  /// Whether a metric built here and now would be no better: convergence in this one can be believed.
+  /// Whether a metric built anew at the current surface would be no better. Convergence can then be trusted.
   virtual bool settled() const = 0;
-  /// Starts to make it so from the matrices that a ready metric has, for a surface at which it has converged; `advance`
-  /// ends it. Costs much less than another metric.
+  /// Begins to improve a ready metric until it is `settled`, at a surface where the optimizer has converged; continue
+  /// with `advance`. Reuses the assembled matrices, so it costs much less than a new metric.
   virtual void settle() = 0;
   /// The factor of the Sobolev product in the metric.
   virtual double sobolev_share() const = 0;

@@ -14,7 +14,7 @@ Eigen::SparseMatrix<double> Unknowns::reduce(const Eigen::SparseMatrix<double>& 
   return reduced.triangularView<Eigen::Lower>();
 }
 
-/// The stencil for x, y and z, point by point.
+/// The stencil applied to x, y and z of each point.
 Eigen::SparseMatrix<double> Unknowns::stencil_of_coordinates(const Eigen::SparseMatrix<double>& stencil) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int column = 0; column < stencil.outerSize(); ++column) {

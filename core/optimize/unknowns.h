@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the optimizer moves: coordinates of the evaluated mesh, or of a coarser one that subdivides to it.
+/// The optimizer's variables: coordinates of the evaluated mesh, or of a coarser mesh that is subdivided to it.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -9,12 +9,12 @@
 
 namespace umbilic {
 
-/// control = offset + B Q unknowns, with B of `coordinates` and Q the subdivision steps between the meshes in their
-/// coordinates; Q = I where they are one mesh.
+/// control = offset + B Q unknowns. B is the matrix of `coordinates`; Q subdivides from the coarser mesh to the
+/// evaluated one, in the coordinates of both. Q = I if they are the same mesh.
 class Unknowns {
  public:
   explicit Unknowns(Coordinates coordinates) : coordinates_(std::move(coordinates)) {}
-  /// `stencil` takes the coarser mesh's points to the finer ones'. Both coordinates are symmetric under one group.
+  /// `stencil` maps points of the coarser mesh to those of the finer one. Both coordinates must be for the same group.
   Unknowns(Coordinates coordinates, const Coordinates& coarse, const Eigen::SparseMatrix<double>& stencil)
       : coordinates_(std::move(coordinates)),
         prolongation_(coordinates_.matrix().transpose() * stencil_of_coordinates(stencil) * coarse.matrix()) {}
@@ -44,7 +44,7 @@ class Unknowns {
     return result;
   }
 
-  /// The lower triangle of Q^T matrix Q, from the lower triangle of a symmetric matrix over `coordinates`.
+  /// The lower triangle of Q^T A Q, from the lower triangle of a symmetric matrix A over `coordinates`.
   Eigen::SparseMatrix<double> reduce(const Eigen::SparseMatrix<double>& lower) const;
 
  private:

@@ -13,14 +13,14 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Lists = std::vector<std::vector<int>>;
 
-/// Supernodes up to a width are merged where no more than this fraction of what the panel stores is zero.
+/// Supernodes up to `width` columns may be merged if at most this fraction of the panel is stored zeros.
 struct Relaxation {
   int width;
   double zeros;
 };
 constexpr Relaxation kRelaxations[] = {{4, 0.8}, {16, 0.2}, {32, 0.1}, {1 << 30, 0.02}};
 
-/// Of each unknown its neighbours and itself, rising.
+/// For each unknown, the unknown itself and its neighbours; sorted, since rows are sorted in each column.
 Lists neighbourhoods(const Matrix& lower) {
   Lists result(lower.cols());
   for (int j = 0; j < lower.cols(); ++j) {
@@ -36,8 +36,8 @@ Lists neighbourhoods(const Matrix& lower) {
 
 /// Consecutive unknowns that have the same neighbours.
 struct Groups {
-  std::vector<int> first;  ///< unknown of each group, and their number
-  Lists neighbours;        ///< groups of each group, itself included, rising
+  std::vector<int> first;  ///< first unknown of each group; at the end the number of unknowns
+  Lists neighbours;        ///< for each group, its neighbours and itself, sorted
 
   explicit Groups(const Lists& neighbourhoods) {
     const int unknowns = static_cast<int>(neighbourhoods.size());
@@ -59,9 +59,9 @@ struct Groups {
   int size(int group) const { return first[group + 1] - first[group]; }
 };
 
-/// Groups in an order of approximate minimum degree.
+/// The groups in an order of approximate minimum degree.
 std::vector<int> minimum_degree(const Groups& groups) {
-  if (groups.count() == 0) return {};  // Eigen compresses no empty matrix
+  if (groups.count() == 0) return {};  // Eigen cannot compress an empty matrix
   Matrix graph(groups.count(), groups.count());
   std::vector<int> sizes(groups.count());
   for (int g = 0; g < groups.count(); ++g) sizes[g] = static_cast<int>(groups.neighbours[g].size());
@@ -75,18 +75,18 @@ std::vector<int> minimum_degree(const Groups& groups) {
   return {order.indices().begin(), order.indices().end()};
 }
 
-/// A supernode of groups, by the step at which its last group is eliminated.
+/// A supernode in terms of groups. Its index is the step at which its last group is eliminated.
 struct Node {
-  std::vector<int> columns, rows;  ///< steps
+  std::vector<int> columns, rows;  ///< each group given by its step
   std::vector<int> children;
-  int width = 0, below = 0;  ///< unknowns
-  double zeros = 0;          ///< stored in its panel
-  bool merged = false;       ///< with its parent
+  int width = 0, below = 0;  ///< counted in unknowns
+  double zeros = 0;          ///< number of zeros stored in its panel
+  bool merged = false;       ///< into its parent
 
   double stored() const { return 0.5 * width * (width + 1.0) + static_cast<double>(width) * below; }
 };
 
-/// What is stored as zero when a node takes in its child.
+/// The number of stored zeros after the child is merged into its parent.
 double zeros_together(const Node& parent, const Node& child) {
   Node both;
   both.width = parent.width + child.width;
@@ -104,7 +104,7 @@ void merge(Node& parent, Node& child) {
   child.merged = true;
 }
 
-/// Merges every node with the first of its children that has the same rows.
+/// Merges each node with its first child that has the same rows, which stores no zeros.
 std::vector<Node> eliminate(const Groups& groups, const std::vector<int>& order) {
   const int count = groups.count();
   std::vector<int> step_of(count), seen(count, -1);
@@ -146,7 +146,7 @@ bool worthwhile(const Node& parent, const Node& child) {
   return false;
 }
 
-/// Merges more children with their parents, those first that couple most.
+/// Merges more children into their parents, those with the most rows first.
 void relax(std::vector<Node>& nodes) {
   for (Node& node : nodes) {
     std::vector<int> candidates;
@@ -214,10 +214,10 @@ EliminationTree::EliminationTree(const Matrix& lower) : positions_(lower.cols())
       }
     }
   }
-  place(lower);
+  locate_entries(lower);
 }
 
-void EliminationTree::place(const Matrix& lower) {
+void EliminationTree::locate_entries(const Matrix& lower) {
   std::vector<int> supernode_of(lower.cols());
   for (std::size_t s = 0; s < supernodes_.size(); ++s) {
     std::fill_n(supernode_of.begin() + supernodes_[s].first, supernodes_[s].width, static_cast<int>(s));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// In which order the unknowns of a sparse symmetric matrix are eliminated, and which of them together.
+/// The order in which the unknowns of a sparse symmetric matrix are eliminated, and which are eliminated together.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -9,47 +9,49 @@
 
 namespace umbilic {
 
-/// Unknowns that are eliminated together as the columns of one dense panel, and the unknowns coupled by it. All are
-/// given by their positions in the order of elimination.
+/// Unknowns that are eliminated together as the columns of one dense panel, with the rows below them that this changes.
+/// Both are given by their positions in the order of elimination.
 struct Supernode {
   int first, width;            ///< the columns [first, first + width)
-  std::vector<int> rows;       ///< rising: what the elimination changes, all >= first + width
-  std::vector<int> in_parent;  ///< of each row, its place in (columns, rows) of the parent
-  std::vector<int> children;   ///< supernodes before this one
-  std::size_t panel;           ///< where its values begin, (width + rows) x width, column-major
+  std::vector<int> rows;       ///< sorted: the rows below the columns, all >= first + width
+  std::vector<int> in_parent;  ///< index of each row among the parent's columns and rows
+  std::vector<int> children;   ///< indices of supernodes, all before this one
+  std::size_t panel;           ///< offset of its values, (width + rows) x width, column-major
 
   int below() const { return static_cast<int>(rows.size()); }
   int height() const { return width + below(); }
-  /// Multiplications and additions of its elimination.
+  /// Multiplications and additions that its elimination takes.
   double flops() const;
 };
 
 /// The symbolic half of a multifrontal factorization (Liu, The multifrontal method for sparse matrix solution, SIAM
-/// Review 34, 1992). Consecutive unknowns with the same neighbours are ordered as one, by approximate minimum degree;
-/// supernodes are merged with their parents where that stores few zeros.
+/// Review 34, 1992).
+///
+/// Consecutive unknowns with the same neighbours form a group. Groups are ordered by approximate minimum degree.
+/// Supernodes are merged with their parents where this stores few zeros.
 class EliminationTree {
  public:
   EliminationTree() = default;
-  /// Of the pattern of a lower triangle; entries above the diagonal are ignored.
+  /// From the pattern of a lower triangle; entries above the diagonal are ignored.
   explicit EliminationTree(const Eigen::SparseMatrix<double>& lower);
 
-  /// Children before parents.
+  /// All supernodes, children before parents.
   const std::vector<Supernode>& supernodes() const { return supernodes_; }
-  /// Of each unknown, its position in the order of elimination.
+  /// The position of each unknown in the order of elimination.
   const std::vector<int>& positions() const { return positions_; }
-  /// Numbers in all panels.
+  /// Number of values in all panels.
   std::size_t panel_size() const { return panel_size_; }
 
-  /// Where the matrix's entry `source` goes in the panel of its supernode.
+  /// The matrix's entry number `source` goes to this offset in the panel of its supernode.
   struct Entry {
     int source;
     int target;
   };
-  /// Of each supernode.
+  /// The entries of each supernode.
   const std::vector<std::vector<Entry>>& entries() const { return entries_; }
 
  private:
-  void place(const Eigen::SparseMatrix<double>& lower);
+  void locate_entries(const Eigen::SparseMatrix<double>& lower);
 
   std::vector<Supernode> supernodes_;
   std::vector<int> positions_;

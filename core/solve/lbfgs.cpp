@@ -12,19 +12,20 @@
 namespace umbilic {
 namespace {
 
-/// Relative accuracy that an objective which sums many terms can be trusted to.
+/// Relative rounding error of an objective that sums many terms.
 constexpr double kRelativeRoundOff = 1e-13;
 
-/// Multiple of it within which a predicted decrease explains a failing line search.
+/// If a line search fails and the predicted decrease is below this multiple of the rounding error, rounding is the
+/// reason.
 constexpr double kStalledByRoundOff = 1e3;
 
-/// Fraction of the tolerance below which the quadratic model is believed without the trend.
+/// If the quadratic model predicts less than this fraction of the tolerance, it is believed without the trend.
 constexpr double kModelAlone = 1e-3;
 
-/// Least cosine of s and y for which a pair is kept: rounding decides the sign of a smaller one.
+/// A pair is kept only if the cosine of s and y is larger: below, rounding decides its sign.
 constexpr double kLeastCurvature = 1e-12;
 
-/// How far a line search may go beyond the largest displacement of its first trial.
+/// How far a line search may go, relative to the largest displacement of its first trial.
 constexpr double kLongestStep = 1e3;
 
 }  // namespace
@@ -103,8 +104,8 @@ Eigen::VectorXd Lbfgs::direction() const {
   return d;
 }
 
-/// What is left of a geometric sequence of decreases, from the last two spans of iterations, but no less than the last:
-/// a fast beginning says little about a slow end.
+/// The decrease still to come if the decreases of the last two spans of iterations go on as a geometric sequence. At
+/// least the decrease of the last span, since a fast beginning says little about a slow end.
 double Lbfgs::trend() const {
   const double middle = recent_values_[options_.trend];
   const double older = recent_values_.front() - middle, newer = middle - recent_values_.back();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Limited-memory BFGS with an initial metric, driven one evaluation at a time.
+/// Limited-memory BFGS with an initial metric. Each call makes one evaluation, so that the caller can stop at any time.
 #pragma once
 
 #include <algorithm>
@@ -15,28 +15,30 @@
 namespace umbilic {
 
 struct LbfgsOptions {
-  int memory = 20;            ///< > 0: curvature pairs kept
+  int memory = 20;            ///< > 0: number of curvature pairs kept
   int max_iterations = 1000;  ///< >= 0
   double tolerance =
       1e-6;          ///< >= 0: converged when the decrease still predicted is at most tolerance * max(value, floor)
   double floor = 0;  ///< >= 0, in units of the objective
   double max_displacement = 1e300;  ///< > 0: largest change of an unknown in the first trial of a step
-  int trend = 10;                   ///< > 0: iterations in each of the two spans whose decreases are extrapolated
+  int trend = 10;  ///< > 0: length in iterations of each of the two spans whose decreases are extrapolated
 };
 
-/// Nocedal & Wright, algorithm 7.4, with H0 = gamma metric^-1, gamma = s.y / (y . metric^-1 y). The decrease still
-/// predicted is the larger of the quadratic model's, g . H g / 2, and of what the decreases of the last two spans of
-/// iterations leave when they go on as a geometric sequence, at least the last one. A model far below the tolerance is
-/// believed alone where the metric's predictions are.
+/// Nocedal & Wright, algorithm 7.4, with H0 = gamma metric^-1 and gamma = s.y / (y . metric^-1 y).
+///
+/// Converges when the decrease still predicted is within the tolerance. The prediction is the larger of two: that of
+/// the quadratic model, g . H g / 2, and that of the trend, which extrapolates the decreases of the last two spans of
+/// iterations as a geometric sequence. If the model's prediction is far below the tolerance and the metric `predicts`,
+/// the model alone decides.
 class Lbfgs {
  public:
-  /// `objective` and `metric` outlive the optimizer.
+  /// `objective` and `metric` must outlive the optimizer.
   Lbfgs(const Objective& objective, const Metric& metric, Eigen::VectorXd start, LbfgsOptions options);
 
-  /// Evaluates the objective once. Returns whether the optimizer has ended; then further calls do nothing.
+  /// Evaluates the objective once. Returns whether the optimizer has ended; further calls then do nothing.
   bool step();
 
-  /// Goes on after convergence, with nothing remembered, as the metric has become better or the tolerance smaller.
+  /// Continues after convergence with a better metric or a smaller tolerance. Forgets all curvature pairs.
   void resume(double tolerance);
 
   bool ended() const { return stop_.has_value(); }
@@ -45,11 +47,11 @@ class Lbfgs {
     if (!stop_) stop_ = StopReason::kCancelled;
   }
 
-  /// Whether the next `step` starts a new line search, so that the metric may change.
+  /// Whether the next `step` begins a new line search, so that the metric may change now.
   bool between_iterations() const { return !search_; }
-  /// Whether the decrease that was last predicted is within the tolerance.
+  /// Whether the last predicted decrease is within the tolerance.
   bool has_nearly_converged() const { return predicted_ <= options_.tolerance * std::max(value_, options_.floor); }
-  /// Takes effect with the next direction; the curvature pairs stay. `metric` outlives the optimizer.
+  /// Uses `metric` from the next direction on, and keeps the curvature pairs. `metric` must outlive the optimizer.
   void set_metric(const Metric& metric) { metric_ = &metric; }
   /// Drops the curvature pairs.
   void forget() { pairs_.clear(); }

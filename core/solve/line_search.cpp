@@ -41,11 +41,11 @@ LineSearch::Status LineSearch::update(double value, double slope) {
   const bool narrow = bracketed_ && upper_ - lower_ <= options_.width * upper_;
   const bool at_maximum = step_ >= largest_ && value <= bound && slope <= required_slope;
   if (narrow || at_maximum || evaluations_ >= options_.max_evaluations) {
-    if (value <= bound && value < start_value_) return Status::kDone;  // decrease without the curvature condition
+    if (value <= bound && value < start_value_) return Status::kDone;  // skips the curvature condition
     return Status::kFailed;
   }
 
-  // The first stage works on phi(t) - decrease t phi'(0), whose minimum satisfies the decrease condition.
+  // The first stage works with phi(t) - decrease t phi'(0). A minimum of it satisfies the decrease condition.
   if (first_stage_ && value <= best_.value && value > bound) {
     const auto shifted = [&](const Point& p) {
       return Point{p.step, p.value - p.step * required_slope, p.slope - required_slope};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Moré & Thuente's line search for the strong Wolfe conditions, as a machine that is handed one evaluation at a time.
+/// Moré & Thuente's line search for the strong Wolfe conditions. The caller evaluates the function: one value per call.
 #pragma once
 
 namespace umbilic {
@@ -13,22 +13,22 @@ struct LineSearchOptions {
   int max_evaluations = 30;  ///< > 0
 };
 
-/// Finds a step t along a descent direction. Moré & Thuente 1994, ACM TOMS 20(3), 286-307. Values that are not finite
-/// pull the step back towards the best one known.
+/// Finds a step t along a descent direction. Moré & Thuente 1994, ACM TOMS 20(3), 286-307. A value that is not finite
+/// moves the next trial back towards the best known step.
 class LineSearch {
  public:
   enum class Status { kEvaluate, kDone, kFailed };
 
-  /// phi(0), phi'(0) < 0 and the first step > 0.
+  /// `value` = phi(0), `slope` = phi'(0) < 0; the first step must be > 0.
   LineSearch(double value, double slope, double step, LineSearchOptions options);
 
-  /// The step to evaluate, or the accepted one.
+  /// The step to evaluate next, or the accepted one.
   double step() const { return step_; }
-  /// phi and phi' at `step()`.
+  /// Takes phi and phi' at `step()`.
   Status update(double value, double slope);
 
  private:
-  /// A step with the value and the slope there.
+  /// A step with phi and phi' there.
   struct Point {
     double step, value, slope;
   };
@@ -45,7 +45,7 @@ class LineSearch {
   bool first_stage_ = true;
   double lower_, upper_;
   double width_, previous_width_;
-  double largest_;  // smallest step known to be not finite, or the maximum
+  double largest_;  // smallest step whose value was not finite, or the maximum
   int evaluations_ = 0;
 };
 

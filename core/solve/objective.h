@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the optimizer minimizes, and the inner product in which it looks for a direction.
+/// The interfaces of the optimizer: the function to minimize, and the metric in which directions are computed.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@ namespace umbilic {
 struct Evaluation {
   double value = 0;          ///< may be infinite or NaN
   Eigen::VectorXd gradient;  ///< by the unknowns
-  bool degenerate = false;   ///< the value is finite, but here it is about to lose its meaning
+  bool degenerate = false;   ///< the value is finite, but about to become meaningless
 };
 
 /// A function of the unknowns with its gradient.
@@ -20,13 +20,13 @@ class Objective {
   virtual void evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const = 0;
 };
 
-/// A symmetric positive definite approximation of the Hessian, up to a factor that L-BFGS finds by itself.
+/// A symmetric positive definite approximation of the Hessian, up to a constant factor, which L-BFGS estimates.
 class Metric {
  public:
   virtual ~Metric() = default;
   /// The solution of metric * direction = gradient.
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const = 0;
-  /// Whether the decrease that it predicts from one gradient alone may be believed.
+  /// Whether the decrease that it predicts from a single gradient can be trusted.
   virtual bool predicts() const { return true; }
 };
 

@@ -9,9 +9,9 @@
 namespace umbilic {
 namespace {
 
-/// Floating-point operations in one `advance`.
+/// Floating-point operations per call of `advance`.
 constexpr double kFlopsPerPart = 1e8;
-/// Columns of a panel that are eliminated one by one before the others are updated by all of them.
+/// Columns of a panel that are eliminated one by one before all later columns are updated at once.
 constexpr int kBlock = 16;
 
 bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
@@ -59,7 +59,7 @@ bool SparseCholesky::factor(Matrix lower) {
   return succeeded();
 }
 
-/// The matrix's own entries and what the children leave.
+/// Sums the matrix's own entries and the updates of the children.
 void SparseCholesky::assemble(const Supernode& node, double* panel, Eigen::MatrixXd& update) {
   std::fill_n(panel, static_cast<std::size_t>(node.height()) * node.width, 0.0);
   for (const auto [source, target] : tree_.entries()[&node - tree_.supernodes().data()]) {
@@ -81,7 +81,7 @@ void SparseCholesky::assemble(const Supernode& node, double* panel, Eigen::Matri
   }
 }
 
-/// Columns [first, first + count) become those of L, with no change to later columns.
+/// Turns the columns [first, first + count) into those of L. Later columns are not changed.
 bool SparseCholesky::eliminate_columns(Panel panel, int first, int count, Eigen::Ref<Eigen::VectorXd> pivot) const {
   const Eigen::Index height = panel.rows();
   for (int j = first; j < first + count; ++j) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Multifrontal L D L^T factorization of a sparse symmetric matrix, in steps of bounded work.
+/// Multifrontal L D L^T factorization of a sparse symmetric matrix, done in parts of bounded work.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,34 +10,33 @@
 
 namespace umbilic {
 
-/// P A P^T = L D L^T, L unit lower triangular, D diagonal, without pivoting. The order P and the pattern of L are found
-/// once and kept as long as A's pattern stays the same.
+/// P A P^T = L D L^T, L unit lower triangular, D diagonal, without pivoting. P and the pattern of L are computed once
+/// and reused while A's pattern stays the same.
 class SparseCholesky {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
   enum class Pivots {
     kPositive,  ///< fails unless A is positive definite
-    kNonzero,   ///< as accurate as A is far from having a singular leading minor
+    kNonzero,   ///< also for indefinite A; inaccurate if a leading minor of P A P^T is nearly singular
   };
 
   explicit SparseCholesky(Pivots pivots) : pivots_(pivots) {}
 
-  /// Starts to factor the matrix with this lower triangle.
+  /// Begins to factor the matrix with this lower triangle.
   void begin(Matrix lower);
-  /// Does a part of the work, about a hundred million floating-point operations; returns whether it has ended, be it in
-  /// failure.
+  /// Does about 1e8 floating-point operations. Returns whether the factorization has ended, successfully or not.
   bool advance();
   /// Fraction of the floating-point operations that are done.
   double progress() const;
-  /// All of the above.
+  /// Factors the matrix in one call.
   bool factor(Matrix lower);
 
   /// Whether the matrix is factored.
   bool succeeded() const { return stage_ == Stage::kFactored; }
-  /// A^-1 right, column by column. Needs `succeeded()`, as the next.
+  /// A^-1 right, column by column. This and `negative` need `succeeded()`.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
-  /// Negative eigenvalues of A: those of D (Sylvester).
+  /// Number of negative eigenvalues of A, which is that of negative entries of D (Sylvester).
   int negative() const { return static_cast<int>((pivot_.array() < 0).count()); }
 
  private:
@@ -54,10 +53,10 @@ class SparseCholesky {
   Matrix lower_;
   EliminationTree tree_;
   Stage stage_ = Stage::kFailed;
-  int next_ = 0;  ///< supernode to eliminate
+  int next_ = 0;  ///< next supernode to eliminate
   double flops_ = 0, flops_done_ = 0;
   std::vector<double> panels_;
-  std::vector<Eigen::MatrixXd> updates_;  ///< lower triangles that wait for the parents, by supernode
+  std::vector<Eigen::MatrixXd> updates_;  ///< of each supernode: lower triangle that its parent will add
   Eigen::VectorXd pivot_;                 ///< D
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Why an optimizer ended. It always ends with one of these; it does not fail.
+/// Why an optimizer ended. An optimizer does not fail; it ends with one of these.
 #pragma once
 
 #include <string_view>
@@ -9,11 +9,11 @@ namespace umbilic {
 
 enum class StopReason {
   kConverged,          ///< the decrease still predicted is below the tolerance
-  kMaxIterations,      ///< as many iterations as allowed
+  kMaxIterations,      ///< reached the largest number of iterations
   kLineSearchStalled,  ///< no step along the search direction satisfies the strong Wolfe conditions
-  kRoundOff,           ///< the decrease still predicted is below what the value's digits can show
+  kRoundOff,           ///< the decrease still predicted is below the rounding error of the value
   kNotFinite,          ///< the value is not finite at the start
-  kDegenerate,         ///< the objective calls its last point degenerate
+  kDegenerate,         ///< the objective reports that its last point is degenerate
   kCancelled,
   // Not the optimizer's own, but what is found of the point where it ended:
   kBelowBound,  ///< the energy is below what any closed surface has: it is not the surface's

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Keeps the directions that a metric answers with tangent to a level set of some function of the unknowns.
+/// Projects the directions that a metric gives to the tangent space of a level set of a function of the unknowns.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,8 +8,8 @@
 
 namespace umbilic {
 
-/// The projection of M^-1 g on the directions d with a . d = 0 that is orthogonal in the metric M: the solution of
-/// M d + lambda a = g, a . d = 0.
+/// The projection of M^-1 g to the directions d with a . d = 0, orthogonal in the metric M: the solution of M d +
+/// lambda a = g, a . d = 0.
 class TangentProjection {
  public:
   /// `a` is the gradient of the function, `solved` is M^-1 a.
@@ -17,7 +17,7 @@ class TangentProjection {
     a_ = std::move(a);
     solved_ = std::move(solved);
   }
-  /// Of `direction` = M^-1 g.
+  /// Projects `direction` = M^-1 g.
   Eigen::VectorXd project(const Eigen::VectorXd& direction) const {
     return direction - (a_.dot(direction) / a_.dot(solved_)) * solved_;
   }

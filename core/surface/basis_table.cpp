@@ -30,7 +30,7 @@ PatchColumns find_columns(const PatchKind& kind) {
 
 const PatchColumns& patch_columns(const PatchKind& kind) {
   static std::mutex mutex;
-  static std::map<PatchKind, PatchColumns> all;  // never moves what it holds
+  static std::map<PatchKind, PatchColumns> all;  // a map never moves its elements
   const std::lock_guard lock(mutex);
   const auto found = all.find(kind);
   return found != all.end() ? found->second : all.emplace(kind, find_columns(kind)).first->second;
@@ -54,7 +54,7 @@ namespace {
 
 constexpr int round_up(int count, int multiple) { return (count + multiple - 1) / multiple * multiple; }
 
-/// Samples that are written together, whose entries of a column fill a cache line.
+/// Samples written together, so that their entries of a column fill a cache line.
 constexpr int kTogether = 8;
 
 void write_rows(const std::vector<DerivativeRows>& rows, int count, int first, int last, int samples, double* entries,

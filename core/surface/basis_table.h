@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Basis derivatives of one kind of patch at fixed samples, shared by all patches of the kind; never grows with the
+/// Tables of basis derivatives at fixed samples. Patches of the same kind share one, so memory does not grow with the
 /// mesh.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace umbilic {
 
-/// A regular face (valence 4, kBare, cell 0), or a face of a cap's sector.
+/// What determines a patch's basis: a regular face (valence 4, kBare, cell 0), or the face `cell` in a sector of a cap.
 struct PatchKind {
   int valence = 4;
   CapShape shape = CapShape::kBare;
@@ -27,7 +27,7 @@ struct PatchKind {
   friend auto operator<=>(const PatchKind&, const PatchKind&) = default;
 };
 
-/// The local control points that a kind's basis needs: columns of the sector's net (for a regular face 0..15, the 4 x 4
+/// The local control points that a kind's basis acts on: points of the sector's net (on a regular face 0..15, the 4 x 4
 /// grid with u fastest), then the sector's cap coefficients.
 struct PatchColumns {
   std::vector<int> net;
@@ -36,33 +36,33 @@ struct PatchColumns {
   int count() const { return static_cast<int>(net.size()) + coefficients; }
 };
 
-/// Found once per process.
+/// Computed once per process and kind.
 const PatchColumns& patch_columns(const PatchKind& kind);
 
-/// X's basis at (u, v) of the face, 10 x columns, and for `kFlat` the flattening's.
+/// Derivatives of the basis functions of X at (u, v) in the face, 10 x columns.
 DerivativeRows patch_basis(const PatchKind& kind, double u, double v);
 DerivativeRows patch_flattening(const PatchKind& kind, double u, double v);
 
-/// Derivatives from `first` on at all samples, as the kernels want them: columns start on cache lines, and both
-/// directions are padded.
+/// Derivatives of order `first` and up at all samples, laid out for the kernels: each column starts on a cache line,
+/// and rows and columns are padded.
 struct BasisTable {
-  /// Surplus columns are zero.
+  /// Columns are padded with zeros to a multiple of this.
   static constexpr int kColumnMultiple = 4;
   using View = Eigen::Map<const Eigen::MatrixXd, Eigen::Unaligned, Eigen::OuterStride<>>;
 
-  int first = 0;               ///< the lowest derivative
-  int derivatives = 0;         ///< how many
-  int distinct = 0;            ///< samples, which stand first
-  int samples = 0;             ///< a multiple of kSampleMultiple: the last one again with weight 0
+  int first = 0;               ///< index of the first derivative
+  int derivatives = 0;         ///< number of derivatives
+  int distinct = 0;            ///< number of samples before padding
+  int samples = 0;             ///< padded to a multiple of kSampleMultiple: the last sample repeated with weight 0
   int columns = 0;             ///< local points
   int padded_columns = 0;      ///< a multiple of kColumnMultiple
-  int stride = 0;              ///< from column to column
+  int stride = 0;              ///< doubles from one column to the next
   Eigen::VectorXd weights;     ///< quadrature weight of each sample
   AlignedDoubles basis;        ///< entry (row, column) at [column * stride + row], row (d - first) samples + s
   AlignedDoubles flattening;   ///< the same for `kFlat`; else empty
-  AlignedDoubles normal_part;  ///< basis - flattening for `kFlat`: what moves along a normal that is held fixed
+  AlignedDoubles normal_part;  ///< basis - flattening for `kFlat`; else empty
 
-  /// One of the three, from a derivative on.
+  /// The rows of `part` (one of the three tables) from a derivative on.
   DenseTable from(int derivative, const AlignedDoubles& part) const {
     return {part.data() + (derivative - first) * samples, stride, columns};
   }
@@ -70,7 +70,8 @@ struct BasisTable {
     return {from(derivative, part).entries, Eigen::Index(derivatives + first - derivative) * samples, columns,
             Eigen::OuterStride<>(stride)};
   }
-  /// The functions along the normal of a flat cap while that is held fixed; elsewhere all coordinates have the same.
+  /// The basis functions of the coordinate along the normal of a flat cap, with the normal held fixed. Without a flat
+  /// cap all coordinates have the same basis.
   const AlignedDoubles& along_normal() const { return normal_part.empty() ? basis : normal_part; }
 
   std::size_t bytes() const {
@@ -78,16 +79,17 @@ struct BasisTable {
   }
 };
 
-/// Derivatives `first` up to but without `last`.
+/// The table of the derivatives [first, last).
 BasisTable basis_table(const PatchKind& kind, std::vector<Sample> samples, int first, int last);
 
-/// What the tables that a process shares may take, of quadrature rules and of grids, while nobody uses them.
+/// Memory that the tables shared by the process may take while nobody uses them: those of quadrature rules, and those
+/// of tessellations.
 inline constexpr std::size_t kSharedTableBytes = 64 << 20;
 
-/// The samples of a rule on the faces of a kind.
+/// The rule's samples on a face of this kind.
 std::vector<Sample> samples_of(const PatchKind& kind, const QuadratureRule& rule);
 
-/// The table of all derivatives from `first` on at these, shared by everything in the process that needs it.
+/// The table of all derivatives from `first` on at `samples_of(kind, rule)`, shared by the process.
 std::shared_ptr<const BasisTable> shared_basis_table(const PatchKind& kind, const QuadratureRule& rule, int first);
 
 /// Repeats the last sample with weight 0 until the count is a multiple of `lanes`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Blend functions by Taylor arithmetic in one variable.
+/// Evaluates the blend functions and their derivatives by truncated Taylor arithmetic.
 #include "surface/blend.h"
 
 #include <cmath>
@@ -29,7 +29,7 @@ Derivatives1 log_h(double t) {
   return 2 * multiply(decay, reciprocal(t - 1));
 }
 
-/// 1 / (1 + exp(x)), accurate where it is close to 0 and where it is close to 1.
+/// 1 / (1 + exp(x)) and its derivatives, accurate both near 0 and near 1.
 Derivatives1 falling_logistic(double x) {
   const double small = std::exp(-std::abs(x));
   const double sigma = x > 0 ? small / (1 + small) : 1 / (1 + small);  // the value

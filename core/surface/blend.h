@@ -10,11 +10,11 @@ namespace umbilic {
 /// Derivatives of order 0 to 3.
 using Derivatives1 = Eigen::Vector4d;
 
-/// Joshi & Sequin eq. 8: h(t) / (h(t) + h(1 - t)), h(t) = exp(2 exp(-1/t) / (t - 1)), flat to all orders at t = 0
-/// and 1.
+/// Joshi & Sequin eq. 8: h(t) / (h(t) + h(1 - t)) with h(t) = exp(2 exp(-1/t) / (t - 1)). All its derivatives vanish at
+/// t = 0 and 1.
 Derivatives1 paper_blend(double t);
 
-/// 1 - (35 t^4 - 84 t^5 + 70 t^6 - 20 t^7): three vanishing derivatives at t = 0 and 1.
+/// 1 - (35 t^4 - 84 t^5 + 70 t^6 - 20 t^7); its derivatives of order 1 to 3 vanish at t = 0 and 1.
 Derivatives1 smoothstep_blend(double t);
 
 /// Derivatives of f(u / scale) f(v / scale).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Blends and fits in a sector of a cap.
+/// Blends and least-squares fits in a sector of a cap.
 #include "surface/cap.h"
 
 #include <Eigen/Cholesky>
@@ -17,18 +17,18 @@
 namespace umbilic {
 namespace {
 
-/// Enough that the fit does not change in its tenth digit.
+/// Enough points that more would change the fit by less than 1e-10.
 constexpr int kFitPoints = 12;
 constexpr int kFitGrading = 2;
 
-/// Samples on a face that Q is fitted over; none on the others.
+/// The samples on a face at which Q is fitted to S; none if the face is not in the fitted ring.
 std::vector<Sample> fit_samples(CapShape shape, int cell) {
   if (shape == CapShape::kOneRing) return graded_rule(kFitPoints, kFitGrading);
   const bool in_second_ring = std::max(cell % rings(shape), cell / rings(shape)) == 1;
   return in_second_ring ? tensor_rule(kFitPoints) : std::vector<Sample>();
 }
 
-/// The place of x^(k-l) y^l among the monomials, by rising degree k.
+/// Index of x^(k-l) y^l among the monomials, sorted by degree k.
 int monomial(int k, int l) { return k * (k + 1) / 2 + l; }
 
 }  // namespace
@@ -62,7 +62,7 @@ Derivatives CapSector::blend(int cell, double u, double v) const {
   return Derivatives::Zero();
 }
 
-/// Monomials x^(k-l) y^l of the characteristic map, by rising degree k.
+/// Derivatives of the monomials x^(k-l) y^l of the characteristic map, sorted by degree k.
 DerivativeRows CapSector::polynomials(const Derivatives& x, const Derivatives& y) const {
   DerivativeRows rows(kDerivativeCount, coefficient_count(shape_));
   rows.col(0) = Derivatives::Unit(0);
@@ -93,8 +93,9 @@ DerivativeRows CapSector::flattening(double u, double v) const {
   return product(blend(0, u, v), offset);
 }
 
-/// With z the complex coordinate in sector 0, the sector sees z as e^(i angle) z: monomials by the binomials of
-/// (c x - s y)^(k-l) (s x + c y)^l.
+/// A point with complex coordinate z in a sector has coordinate e^(i angle) z in sector 0. The monomial x^(k-l) y^l of
+/// sector 0 is therefore (c x - s y)^(k-l) (s x + c y)^l in the sector's coordinates, which is expanded one factor at a
+/// time.
 void CapSector::build_turns() {
   const double angle = 2 * std::numbers::pi / net_.valence();
   for (int sector = 0; sector < net_.valence(); ++sector) {
@@ -103,7 +104,7 @@ void CapSector::build_turns() {
     turn(0, 0) = 1;
     for (int k = 1; k <= degree(shape_); ++k) {
       for (int l = 0; l <= k; ++l) {
-        // One factor more than a monomial of degree k - 1: x turned where there is one, else y.
+        // Multiplies a monomial of degree k - 1 by the turned x, or by the turned y if it has no x.
         const double along_x = l < k ? c : s, along_y = l < k ? -s : c;
         const int before = monomial(k - 1, l < k ? l : k - 1);
         for (int m = 0; m < k; ++m) {
@@ -118,11 +119,11 @@ void CapSector::build_turns() {
 
 namespace {
 
-/// Of least squares over all sectors, from what sector 0 sees of polynomials and of the surface.
+/// The normal equations of the fit over all sectors, from the contribution of sector 0.
 struct NormalEquations {
   Eigen::MatrixXd gram, moments;
 
-  /// Adds up the sectors by turning what sector 0 contributes.
+  /// Replaces the contribution of sector 0 by the sum over all sectors, each of which is sector 0's turned.
   void turn(const std::vector<Eigen::MatrixXd>& turns) {
     const NormalEquations here = *this;
     const Eigen::Index ring = moments.cols() - 1, per_sector = ring / static_cast<Eigen::Index>(turns.size());
@@ -141,8 +142,8 @@ struct NormalEquations {
 
 }  // namespace
 
-/// By normal equations, the second time with the polynomials that the first time's Cholesky factor makes orthonormal,
-/// so that they are as accurate as a QR factorization.
+/// Solves the normal equations twice. The Cholesky factor of the first solve makes the polynomials orthonormal for the
+/// second, which makes the result as accurate as that of a QR factorization.
 void CapSector::build_fit() {
   const int count = coefficient_count(shape_), cells = cell_count(shape_);
   std::vector<Eigen::MatrixXd> surfaces(cells), polynomials(cells);
@@ -192,7 +193,7 @@ void CapSector::build_fit() {
 
 const CapSector& cap_sector(int valence, CapShape shape) {
   static std::mutex mutex;
-  static std::map<std::pair<int, CapShape>, CapSector> sectors;  // never moves what it holds
+  static std::map<std::pair<int, CapShape>, CapSector> sectors;  // a map never moves its elements
   const std::lock_guard lock(mutex);
   const std::pair key{valence, shape};
   const auto found = sectors.find(key);

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// One sector of a cap: the basis of X = (1 - b) S + b Q over the control points of the ring net and the cap's
-/// coefficients.
+/// Caps: what replaces the limit surface S near an extraordinary vertex, where its curvature is unbounded or
+/// discontinuous.
+///
+/// A cap is X = (1 - b) S + b Q. The blend b is 1 at the vertex and 0 at the rim. Q is smooth: the projection of S on a
+/// plane (`kFlat`), or a polynomial fitted to S. The polynomial's variables are the coordinates of the characteristic
+/// map, the planar limit surface in which a subdivision step is a mere scaling. This file owns one of the N equal
+/// sectors of a cap: the basis of X over the control points of the ring net and the coefficients of Q.
 ///
 /// paper | code
 /// S       limit surface, RingNet::basis
 /// b       blend (eq. 8 for `kFlat`)
 /// Q       plane or polynomial that replaces S at the extraordinary vertex
 ///
-/// A smooth cap takes four rings where there is room, else two or one. Beyond its R rings S alone follows the surface,
-/// and in ring k around an extraordinary vertex splines of mesh size h can give the curvature's gradient to O(kappa /
-/// (k^2 h)) only, since their sectors meet at the wrong angle. Its square sums up to O(kappa^2 / R^2): what that adds
-/// to an energy of third order does not vanish with h. MVS_cross of a sphere from the cube's cage is 2.6 at level 4
-/// with two rings and 1.2 with four.
+/// A smooth cap takes four rings of faces if there is room, else two or one. Wider is better: beyond its R rings the
+/// surface is S, and in ring k around an extraordinary vertex splines of mesh size h reproduce the gradient of the
+/// curvature only to O(kappa / (k^2 h)), since their sectors meet at the wrong angle. Its square sums to O(kappa^2 /
+/// R^2), an error of third-order energies that does not vanish with h. Example: MVS_cross of a sphere from the cube's
+/// cage is 2.6 at level 4 with two rings and 1.2 with four.
 #pragma once
 
 #include <vector>
@@ -21,7 +26,7 @@
 
 namespace umbilic {
 
-/// What covers an extraordinary vertex, once it is known how much room there is.
+/// What covers an extraordinary vertex. The number of rings depends on how much room there is.
 enum class CapShape {
   kBare,      ///< no cap: Q = S
   kFlat,      ///< one ring; Q = S projected on the limit tangent plane
@@ -30,16 +35,16 @@ enum class CapShape {
   kFourRing,  ///< four rings; Q of degree 5
 };
 
-/// Rings of faces that the cap changes.
+/// Number of rings of faces that the cap changes.
 constexpr int rings(CapShape shape) { return shape == CapShape::kFourRing ? 4 : shape == CapShape::kTwoRing ? 2 : 1; }
 
-/// Faces of a sector that the cap changes; cell c is the face (c % rings, c / rings).
+/// Number of faces in a sector that the cap changes; cell c is the face (c % rings, c / rings).
 constexpr int cell_count(CapShape shape) { return rings(shape) * rings(shape); }
 
-/// The rings of control points that decide the cap.
+/// Number of rings of control points that the cap depends on.
 constexpr int control_rings(CapShape shape) { return rings(shape) + 1; }
 
-/// Of Q in the characteristic map; 0 where Q is no such polynomial.
+/// Degree of Q as a polynomial in the characteristic map; 0 if Q is no such polynomial.
 constexpr int degree(CapShape shape) {
   switch (shape) {
     case CapShape::kBare:
@@ -56,7 +61,7 @@ constexpr int coefficient_count(CapShape shape) {
   return degree(shape) == 0 ? 0 : (degree(shape) + 1) * (degree(shape) + 2) / 2;
 }
 
-/// Everything of a cap that depends only on the valence and the shape.
+/// All data of a cap's sector that depend only on the valence and the shape.
 class CapSector {
  public:
   CapSector(int valence, CapShape shape);
@@ -64,23 +69,23 @@ class CapSector {
   const RingNet& net() const { return net_; }
   CapShape shape() const { return shape_; }
 
-  /// X's basis at (u, v) of a face of the sector, (u, v) in [0, 1]^2: 10 x (net().support(cell) + coefficients). For
-  /// `kFlat` this is S; see `flattening`.
+  /// Derivatives of the basis functions of X at (u, v) in [0, 1]^2 of a face of the sector: 10 x (net().support(cell) +
+  /// coefficients). For `kFlat` those of S; see `flattening`.
   DerivativeRows basis(int cell, double u, double v) const;
 
-  /// `kFlat`: derivatives of b (basis - limit position), 10 x net().support(0): X = S - (flattening P n) n^T with n the
-  /// unit normal at the extraordinary vertex.
+  /// For `kFlat`: derivatives of b (basis - limit position), 10 x net().support(0). With P the control points and n the
+  /// unit normal at the extraordinary vertex, X = S - (flattening P n) n^T.
   DerivativeRows flattening(double u, double v) const;
 
   /// The coefficients of Q in the sector's own coordinates as a linear function of the net, coefficients x net size:
-  /// the weighted least-squares fit to S over the second ring (for one ring over that), weight |grad b|^2. Farther out
-  /// S can make up for Q, since it has control points that Q has not.
+  /// the least-squares fit to S, weighted by |grad b|^2, over the second ring (over the only ring of a one-ring cap).
+  /// Farther out S has control points of its own, which can make up for errors of Q.
   const Eigen::MatrixXd& fit() const { return fit_; }
-  /// The columns of `fit` that are not 0, rising.
+  /// The nonzero columns of `fit`, sorted.
   const std::vector<int>& fit_support() const { return fit_support_; }
 
-  /// All sectors see one polynomial: the coefficients in the coordinates of a sector as a linear function of those in
-  /// sector 0's, coefficients x coefficients.
+  /// Q is a single polynomial in all sectors, but each sector writes it in its own coordinates. This matrix takes the
+  /// coefficients in sector 0's coordinates to those in the given sector's, coefficients x coefficients.
   const Eigen::MatrixXd& turn(int sector) const { return turns_[sector]; }
 
  private:

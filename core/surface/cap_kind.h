@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What replaces the limit surface near extraordinary vertices.
+/// The user's choice of what replaces the limit surface near extraordinary vertices (surface/cap.h).
 #pragma once
 
 #include <string_view>

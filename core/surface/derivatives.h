@@ -16,13 +16,13 @@ using Derivatives = Eigen::Matrix<double, kDerivativeCount, 1>;
 /// Derivatives of several functions, a column each.
 using DerivativeRows = Eigen::Matrix<double, kDerivativeCount, Eigen::Dynamic>;
 
-/// (f g)_d = sum of binomial f_left g_right over the terms of d.
+/// One term of the product rule: (f g)_d = sum of binomial f_left g_right over the terms of d.
 struct LeibnizTerm {
   int d, left, right;
   double binomial;
 };
 
-/// The terms of all derivatives, by rising d.
+/// The terms of all derivatives, sorted by d.
 constexpr auto leibniz_terms() {
   constexpr int kBinomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
   std::array<LeibnizTerm, 35> terms{};
@@ -47,7 +47,7 @@ typename Rows::PlainObject product(const Derivatives& f, const Eigen::MatrixBase
   typename Rows::PlainObject result = Rows::PlainObject::Zero(kDerivativeCount, rows.cols());
   for (Eigen::Index column = 0; column < rows.cols(); ++column) {
     const Derivatives g = rows.col(column);
-    if ((g.array() == 0).all()) continue;  // most control points are far away
+    if ((g.array() == 0).all()) continue;  // most control points do not act here
     Derivatives sum = Derivatives::Zero();
 #pragma GCC unroll 35
     for (std::size_t t = 0; t < kTerms.size(); ++t) sum[kTerms[t].d] += factors[t] * g[kTerms[t].right];

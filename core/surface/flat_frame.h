@@ -12,16 +12,16 @@ namespace umbilic {
 struct FlatFrame {
   Vector3 tangents[2];
   Vector3 normal;  ///< unit
-  double length;   ///< of the tangents' cross product
+  double length;   ///< length of the cross product of the limit tangents
 };
 
-/// From the limit tangents at the cap's extraordinary vertex.
+/// The frame from the limit tangents at the cap's extraordinary vertex.
 FlatFrame flat_frame(const Cap& cap, const Points& points);
 
-/// Adds the derivative of normal . normal_adjoint to `gradient`.
+/// Adds the gradient of normal . normal_adjoint (with normal_adjoint constant) to `gradient`.
 void pull_back_frame(const Cap& cap, const FlatFrame& frame, const Vector3& normal_adjoint, Points& gradient);
 
-/// Of all caps of a layout; empty unless they are flat.
+/// The frames of all caps of a layout; empty unless the caps are flat.
 std::vector<FlatFrame> flat_frames(const PatchLayout& layout, const Points& points);
 void flat_frames(const PatchLayout& layout, const Points& points, std::vector<FlatFrame>& frames);
 

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Jets as they lie in memory between the evaluator and whoever integrates over them.
+/// Memory layout of jets, from the evaluator to the integrals.
 #pragma once
 
 namespace umbilic {
 
-/// Jets of some patches of one kind. Sample s of patch p, derivative d, coordinate c stands at
-/// [((p * 3 + c) * derivatives + d) * samples + s], in `jets` and, with their own number of derivatives, in the
-/// adjoints.
+/// Jets of some patches of one kind. Derivative d of coordinate c at sample s of patch p is [((p * 3 + c) * derivatives
+/// + d) * samples + s], both in `jets` and in the adjoints, which have their own numbers of derivatives.
 struct JetBlock {
   int patches;
-  int samples;                   ///< per patch, a multiple of kSampleMultiple; surplus ones have weight 0
-  int derivatives;               ///< in `jets`
-  const double* weights;         ///< of each sample of a patch, in the measure du dv
-  const double* multiplicities;  ///< of each patch: how many it stands for
+  int samples;                   ///< per patch, a multiple of kSampleMultiple; those of the padding have weight 0
+  int derivatives;               ///< number of derivatives in `jets`
+  const double* weights;         ///< quadrature weight of each sample, in the measure du dv
+  const double* multiplicities;  ///< how many patches of the surface each patch stands for
   const double* jets;
-  double* const* adjoints;  ///< of each channel, to be overwritten; null without channels
+  double* const* adjoints;  ///< one array per channel, to be overwritten; null without channels
 };
 
 }  // namespace umbilic

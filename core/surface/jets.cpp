@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Shows the jets of one range of patches after the other, and pulls back what the visitor leaves.
+/// Evaluates the jets of one range of patches after the other, and pulls back the adjoints that the visitor returns.
 #include "surface/jets.h"
 
 #include <cassert>

@@ -15,40 +15,40 @@
 
 namespace umbilic {
 
-/// The adjoints that a visitor may leave: the first `derivatives` of each jet, 2, 5 or 9.
+/// An adjoint that a visitor returns for each jet: its first `derivatives` entries, 2, 5 or 9.
 struct AdjointChannel {
   int derivatives;
 };
 
 using JetVisitor = std::function<void(const JetBlock&)>;
 
-/// Keeps its working memory between evaluations, so that only one thread evaluates at a time.
+/// Reuses its working memory between evaluations, so only one thread may evaluate at a time.
 class JetEvaluator {
  public:
-  /// `layout` outlives the evaluator.
+  /// `layout` must outlive the evaluator.
   JetEvaluator(const PatchLayout& layout, const QuadratureRule& rule);
 
   const PatchLayout& layout() const { return patches_.layout(); }
 
-  /// Calls `visit` for blocks that cover each patch once, in a fixed order. `derivatives` is 5 or 9. For every channel,
-  /// `gradients` receives the sum of adjoint times derivative of the jets by the control points, control_count x 3.
+  /// Calls `visit` with blocks that cover each patch once, in a fixed order. `derivatives` is 5 or 9. For each channel,
+  /// `gradients` receives the pullback of its adjoint to the control points, control_count x 3.
   void evaluate(const Points& control, int derivatives, std::span<const AdjointChannel> channels,
                 const JetVisitor& visit, std::vector<Points>& gradients) const;
 
-  /// Samples with weight > 0 that one evaluation visits.
+  /// Number of samples with weight > 0 in one evaluation.
   long sample_count() const;
-  /// Of all shared tables.
+  /// Memory of all shared tables, in bytes.
   std::size_t table_bytes() const;
 
  private:
   struct Channel {
-    AlignedDoubles adjoint;  // of a block
+    AlignedDoubles adjoint;  // for one block
     PatchAdjoint sum;
   };
 
   mutable PatchEvaluator patches_;
-  mutable std::vector<Channel> channels_;  // never fewer than before, as they keep their memory
-  mutable std::vector<double*> adjoints_;  // as a block shows them
+  mutable std::vector<Channel> channels_;  // never shrinks, so that each keeps its memory
+  mutable std::vector<double*> adjoints_;  // pointers for JetBlock::adjoints
 };
 
 }  // namespace umbilic

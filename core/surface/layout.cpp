@@ -10,7 +10,7 @@
 namespace umbilic {
 namespace {
 
-/// Half-edges along u of the neighbouring cells, for the half-edge h along u of a cell.
+/// The half-edges along u of the neighbouring cells, given the half-edge h along u of a cell.
 int cell_right(const PolygonMesh& m, int h) { return m.next(m.twin(m.next(h))); }
 int cell_above(const PolygonMesh& m, int h) { return m.twin(m.next(m.next(h))); }
 int cell_left(const PolygonMesh& m, int h) { return m.previous(m.twin(m.previous(h))); }
@@ -33,7 +33,7 @@ std::vector<int> spokes(const PolygonMesh& mesh, int vertex) {
   return result;
 }
 
-/// Control points of the first `rings` rings in the order of RingNet, the others -1.
+/// Indices of the control points in the first `rings` rings, in the order of RingNet; -1 for all others.
 std::vector<int> gather_net(const PolygonMesh& mesh, int vertex, const RingNet& net, int rings) {
   std::vector<int> points(net.size(), -1);
   points[0] = vertex;
@@ -67,7 +67,7 @@ std::vector<int> gather_regular(const PolygonMesh& mesh, int h) {
   return points;
 }
 
-/// The faces of the vertex's first `rings` rings; a face met twice stands twice.
+/// The faces in the first `rings` rings of the vertex; a face that is reached twice is listed twice.
 std::vector<int> faces_around(const PolygonMesh& mesh, int vertex, int rings) {
   std::vector<int> faces;
   for (const int spoke : spokes(mesh, vertex)) {
@@ -78,7 +78,7 @@ std::vector<int> faces_around(const PolygonMesh& mesh, int vertex, int rings) {
   return faces;
 }
 
-/// Of smooth caps: as many rings for each vertex as it has for itself when all have that many.
+/// Shapes of smooth caps. Each vertex gets the widest cap whose faces no other cap of the same width would use.
 std::vector<CapShape> widest_shapes(const PolygonMesh& mesh, const std::vector<int>& extraordinary) {
   std::vector<CapShape> shapes(extraordinary.size(), CapShape::kOneRing);
   for (const CapShape wider : {CapShape::kTwoRing, CapShape::kFourRing}) {
@@ -95,12 +95,12 @@ std::vector<CapShape> widest_shapes(const PolygonMesh& mesh, const std::vector<i
   return shapes;
 }
 
-/// Hands out each orbit once.
+/// Picks one face of each orbit to represent it.
 class Representatives {
  public:
   explicit Representatives(const Orbits& orbits) : orbits_(orbits), taken_(orbits.sizes.size(), false) {}
 
-  /// The size of the face's orbit, or 0 where another face stands for it.
+  /// The size of the face's orbit when the orbit is met first; 0 afterwards.
   int take(int face) {
     const int orbit = orbits_.of[face];
     if (taken_[orbit]) return 0;
@@ -199,7 +199,7 @@ void PatchLayout::add_patch(PatchKind kind, int halfedge, int cap, const std::ve
 
 namespace {
 
-/// Of a cap's polynomial, in the coordinates of sector 0.
+/// The coefficients of a cap's polynomial, in the coordinates of sector 0.
 using Coefficients =
     Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, coefficient_count(CapShape::kFourRing), 3>;
 

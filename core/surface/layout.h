@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Which patches an evaluable mesh consists of, and which points each of them needs.
+/// The patches of an evaluable mesh, and the points that each of them needs.
 ///
-/// The points of a layout are the control points followed by the coefficients of all caps, a block for each sector.
+/// The points of a layout are the control points, then the coefficients of all caps, one block per sector.
 #pragma once
 
 #include <vector>
@@ -14,49 +14,52 @@
 
 namespace umbilic {
 
-/// The neighbourhood of one extraordinary vertex.
+/// One extraordinary vertex with its neighbourhood.
 struct Cap {
   int vertex = 0;
   int valence = 0;
   CapShape shape = CapShape::kBare;
-  std::vector<int> net;       ///< control points in the order of RingNet; -1 beyond the shape's control rings
-  int first_coefficient = 0;  ///< point of the layout; sector j starts j * coefficient_count(shape) later
+  std::vector<int> net;  ///< control points in the order of RingNet; -1 beyond the shape's control rings
+  /// Index of the layout point that holds sector 0's first coefficient. Sector j's are j * coefficient_count(shape)
+  /// later.
+  int first_coefficient = 0;
 };
 
 /// All patches of one kind.
 struct PatchSet {
   PatchKind kind;
   int columns = 0;
-  std::vector<int> halfedges;          ///< of each patch: from its corner (0,0) along u
-  std::vector<int> points;             ///< patches x columns: points of the layout
-  std::vector<int> caps;               ///< of each patch at a cap: the cap
-  std::vector<double> multiplicities;  ///< how many patches each one stands for
+  std::vector<int> halfedges;          ///< of each patch: the half-edge from its corner (0,0) along u
+  std::vector<int> points;             ///< patches x columns: indices of layout points
+  std::vector<int> caps;               ///< of each patch in a cap: index of the cap
+  std::vector<double> multiplicities;  ///< size of the orbit that each patch stands for
 
   int count() const { return static_cast<int>(halfedges.size()); }
-  /// Those of a patch, `columns` of them.
+  /// The `columns` layout points of a patch.
   const int* points_of(int patch) const { return &points[static_cast<std::size_t>(columns) * patch]; }
 };
 
 class PatchLayout {
  public:
-  /// `mesh` is evaluable (mesh/hierarchy.h). Smooth caps take four rings, or two, or one, such that those of all
-  /// extraordinary vertices would not overlap.
+  /// `mesh` must be evaluable (mesh/hierarchy.h). Each smooth cap takes four rings, else two, else one: the widest cap
+  /// whose faces no other cap of that width would use.
   PatchLayout(const PolygonMesh& mesh, CapKind cap);
-  /// One patch of each orbit of faces, which stands for the whole orbit; only the caps that these patches need.
+  /// Keeps only one patch of each orbit of faces, with the size of the orbit as its multiplicity, and only the caps of
+  /// those patches.
   PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& face_orbits);
 
   int control_count() const { return control_count_; }
   int point_count() const { return point_count_; }
   int patch_count() const;
-  int face_count() const { return face_count_; }  ///< of the mesh
+  int face_count() const { return face_count_; }  ///< of the whole mesh
   CapKind cap() const { return cap_; }
   const std::vector<PatchSet>& sets() const { return sets_; }
   const std::vector<Cap>& caps() const { return caps_; }
 
-  /// The control points, followed by the caps' coefficients that they decide.
+  /// The layout's points from the control points: these, followed by the caps' coefficients, a linear function of them.
   Points extend(const Points& control) const;
   void extend(const Points& control, Points& points) const;
-  /// Adds to the control points' part of a gradient by the layout's points what the coefficients' part contributes.
+  /// The transpose of `extend`: adds to the first control_count rows of `gradient` what its other rows contribute.
   void pull_back(Points& gradient) const;
   /// point_count x control_count: `extend` as a matrix.
   SparseMatrix extension() const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Chooses the tensor rule or the table.
+/// Chooses between the tensor kernel and the table.
 #include "surface/patch_basis.h"
 
 namespace umbilic {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What all patches of one kind share in an evaluator: the samples, and the basis at them.
+/// What all patches of one kind share: the samples, and the basis at them.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace umbilic {
 
 class PatchBasis {
  public:
-  /// For jets of order 1 and up alone: regular faces have a tensor rule instead of a table.
+  /// For a rule, used only for derivatives of order 1 and up: regular faces get a tensor kernel instead of a table.
   PatchBasis(const PatchKind& kind, const QuadratureRule& rule);
   explicit PatchBasis(std::shared_ptr<const BasisTable> table) : table_(std::move(table)) {}
 
@@ -20,7 +20,7 @@ class PatchBasis {
   const Eigen::VectorXd& weights() const { return regular_ ? regular_->weights() : table_->weights; }
   std::size_t bytes() const { return regular_ ? regular_->bytes() : table_->bytes(); }
 
-  /// Null where there is a table.
+  /// Null if there is a table.
   const RegularKernel* regular() const { return regular_.get(); }
   const BasisTable& table() const { return *table_; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Regular patches by sum factorization or a table, capped ones by products with their kind's table.
+/// Regular patches by sum factorization or a table, patches of caps by products with their kind's table.
 ///
 /// A flat cap's jets are W P - h n^T with the heights h = F P n, F the flattening. With A the jets' adjoint, a = A n
 /// and t = F^T a, the adjoint of P is W^T A - t n^T, and that of n is -(A^T h + P^T t).
@@ -12,8 +12,8 @@
 namespace umbilic {
 namespace {
 
-/// Samples of a range: few enough that jets and adjoints stay in the cache, but at least two patches for the dense
-/// product's tiles.
+/// Samples in a range: few enough that jets and adjoints stay in the cache, but at least two patches, to fill the tiles
+/// of the dense product.
 constexpr int kSamplesAtATime = 256;
 
 }  // namespace

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// From control points to the jets of patches, and back: the one place that gathers a patch's points, applies the basis
-/// to them and flattens flat caps.
+/// From control points to the jets of patches, and back. The only place that gathers a patch's points, applies the
+/// basis to them and flattens flat caps.
 ///
-/// An evaluator is moved to a surface, and then asked for the jets of any patches of one set together, in memory that
-/// the next patches use again. What is made of the jets is its users' affair: the energy visits all patches and pulls
-/// adjoints back (surface/jets.h), Hessian and metric take a patch and multiply its basis by what they make of its
-/// jets, the tessellation asks for positions on a grid.
+/// Move an evaluator to a surface, then ask it for the jets of consecutive patches of one set. The result stays valid
+/// until the next call. The callers decide what to do with the jets: the energy visits all patches and pulls adjoints
+/// back (surface/jets.h), Hessian and metric multiply the basis by matrices of each jet, the tessellation asks for
+/// positions on a grid.
 ///
 ///     PatchEvaluator patches(layout, [&](const PatchKind& kind) { return PatchBasis(kind, rule); });
 ///     patches.move_to(control);
@@ -27,7 +27,7 @@ struct PatchRange {
   int set, first, count;
 };
 
-/// The sum of adjoint times derivative of jets: by the layout's points, and by the normals of its flat caps.
+/// The accumulated pullback of adjoints: to the layout's points, and to the normals of its flat caps.
 struct PatchAdjoint {
   Points points;
   std::vector<Vector3> normals;
@@ -37,21 +37,22 @@ class PatchEvaluator {
  public:
   using BasisOf = std::function<PatchBasis(const PatchKind&)>;
 
-  /// `layout` outlives the evaluator; `basis_of` is asked once for each of its sets.
+  /// `layout` must outlive the evaluator; `basis_of` is called once for each set.
   PatchEvaluator(const PatchLayout& layout, const BasisOf& basis_of);
 
   const PatchLayout& layout() const { return layout_; }
   const PatchBasis& basis(int set) const { return bases_[set]; }
   int set_count() const { return static_cast<int>(bases_.size()); }
 
-  /// The surface that all of the following is about.
+  /// Chooses the surface for all following calls.
   void move_to(const Points& control);
-  /// The layout's points: control points and caps' coefficients.
+  /// The layout's points: control points, then cap coefficients.
   const Points& points() const { return points_; }
-  /// Of the flat cap that a patch is part of.
+  /// The normal of the flat cap that the patch belongs to.
   const Vector3& normal(int set, int patch) const { return frames_[layout_.sets()[set].caps[patch]].normal; }
 
-  /// Calls `visit` with ranges that cover each patch once, in a fixed order, whose jets fit into the cache.
+  /// Calls `visit` with ranges that cover each patch once, in a fixed order, each small enough that its jets fit in the
+  /// cache.
   template <class Visit>
   void for_each_range(const Visit& visit) const {
     for (int set = 0; set < set_count(); ++set) {
@@ -60,15 +61,16 @@ class PatchEvaluator {
     }
   }
 
-  /// The derivatives [from, from + derivatives) at all samples, as a JetBlock has them; valid until the next call.
-  /// Where a basis is a tensor rule `from` is 1.
+  /// The derivatives [from, from + derivatives) at all samples, in the layout of a JetBlock; valid until the next call.
+  /// `from` must be 1 if the basis is a tensor kernel.
   const double* jets(PatchRange range, int derivatives, int from = 1);
 
-  /// Sums of nothing.
+  /// Sets the sums to zero.
   void clear(PatchAdjoint& sum) const;
-  /// Adds the pullback of an adjoint of the first `derivatives` of the jets that were asked for last, from 1 on.
+  /// Adds the pullback of an adjoint of the first `derivatives` derivatives, from order 1 on, of the jets that were
+  /// computed last.
   void pull_back(const double* adjoint, int derivatives, PatchAdjoint& sum);
-  /// The gradient by the control points, control_count x 3. Spends the sum.
+  /// The gradient by the control points, control_count x 3. The sum must be cleared before it is used again.
   void finish(PatchAdjoint& sum, Points& gradient) const;
 
  private:
@@ -90,7 +92,7 @@ class PatchEvaluator {
   std::vector<FlatFrame> frames_;
   const SurfaceKernels* kernels_ = nullptr;
 
-  // What was asked for last.
+  // The last call of `jets`.
   PatchRange range_{};
   int from_ = 1, derivatives_ = 0;
   AlignedDoubles jets_;

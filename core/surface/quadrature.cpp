@@ -29,7 +29,7 @@ GaussRule gauss_legendre(int points) {
     rule.nodes[i] = (1 + x) / 2;
     rule.weights[i] = 1 / ((1 - x * x) * slope * slope);
   }
-  // Exactly symmetric, so that mirrored faces give the same digits.
+  // Makes the rule exactly symmetric, so that mirrored faces give the same bits.
   for (int i = 0; i < points / 2; ++i) {
     const int mirror = points - 1 - i;
     rule.nodes[mirror] = 1 - rule.nodes[i];

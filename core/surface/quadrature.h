@@ -10,7 +10,7 @@
 namespace umbilic {
 
 struct GaussRule {
-  Eigen::VectorXd nodes;    ///< in (0, 1), rising
+  Eigen::VectorXd nodes;    ///< in (0, 1), sorted
   Eigen::VectorXd weights;  ///< sum to 1
 };
 
@@ -25,11 +25,11 @@ struct Sample {
 /// points^2 samples of the unit square.
 std::vector<Sample> tensor_rule(int points);
 
-/// The unit square split `grading` times towards (0, 0): three quarter cells per split and a last one at the corner,
-/// points^2 samples each.
+/// Splits the unit square `grading` times towards (0, 0). Each split adds three cells, and one cell remains at the
+/// corner; each cell has points^2 samples.
 std::vector<Sample> graded_rule(int points, int grading);
 
-/// The orders used on a mesh.
+/// Numbers of points of the rules on a mesh.
 struct QuadratureRule {
   int regular_points;  ///< per direction on regular faces
   int cap_points;      ///< per direction on each cell of a face that a cap changes

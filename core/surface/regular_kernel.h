@@ -3,7 +3,8 @@
 /// Sum-factorized evaluation of bicubic patches on a tensor grid of samples, and its transpose.
 ///
 /// With B_k the k-th derivatives of the four B-splines at the nodes, the derivative (k, l) at (node i, node j) is
-/// sum_b B_l[j][b] (sum_a B_k[i][a] P[b][a]): the inner sum is shared by all j and l. Nodes along u stand in lanes.
+/// sum_b B_l[j][b] (sum_a B_k[i][a] P[b][a]): the inner sum is shared by all j and l. Loops over the nodes along u are
+/// vectorized.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,17 +17,17 @@ namespace umbilic {
 
 class RegularKernel {
  public:
-  /// The rule's tensor product; nodes along u are padded to a multiple of kSampleMultiple with weight 0.
+  /// The tensor product of the Gauss rule. Nodes along u are padded to a multiple of kSampleMultiple with weight 0.
   explicit RegularKernel(int points_per_direction);
 
   int samples() const { return width_ * points_; }
-  const Eigen::VectorXd& weights() const { return weights_; }  ///< sample j * width + i
+  const Eigen::VectorXd& weights() const { return weights_; }  ///< sample (i, j) is entry j * width + i
   std::size_t bytes() const { return sizeof(double) * (along_u_.size() + along_v_.size() + weights_.size()); }
 
   /// jets[(c * derivatives + d) * samples + s] of order 1 and up from the points[16][3]; `derivatives` is 2, 5 or 9.
   void jets(const double* points, int derivatives, double* jets) const;
 
-  /// The transpose: adds to gradient[16][3] from adjoints laid out as the jets.
+  /// The transpose: adds the pullback of the adjoints, laid out like the jets, to gradient[16][3].
   void pull_back(const double* adjoint, int derivatives, double* gradient) const;
 
  private:

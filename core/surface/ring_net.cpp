@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Catmull-Clark rules on the ring net, and what follows from them near its centre.
+/// Catmull-Clark rules on the ring net, and the limit surface near its centre that follows from them.
 #include "surface/ring_net.h"
 
 #include <algorithm>
@@ -13,12 +13,12 @@
 namespace umbilic {
 namespace {
 
-/// Powers of the step that are kept: as many as graded rules mostly need.
+/// Number of powers of the step that are stored. Graded rules rarely need more.
 constexpr int kKeptRefinements = 5;
 
-/// Of a value in rising values.
-int place(const std::vector<int>& rising, int value) {
-  return static_cast<int>(std::lower_bound(rising.begin(), rising.end(), value) - rising.begin());
+/// Index of a value in a sorted list.
+int index_in(const std::vector<int>& sorted, int value) {
+  return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
 }
 
 }  // namespace
@@ -80,9 +80,10 @@ void RingNet::build_refinements() {
     for (int i = 0; i < 16; ++i) points[cell][i] = index(0, cell % rings_ + i % 4 - 1, cell / rings_ + i / 4 - 1);
     support_[cell].assign(points[cell].begin(), points[cell].end());
     std::sort(support_[cell].begin(), support_[cell].end());
-    for (int i = 0; i < 16; ++i) grids_[cell][i] = place(support_[cell], points[cell][i]);
+    for (int i = 0; i < 16; ++i) grids_[cell][i] = index_in(support_[cell], points[cell][i]);
   }
-  // A step takes the control points of the cells next to cell 0 from those that decide it, and these from one another.
+  // The support of cell 0: the points from which one step computes the control points of the three cells next to it. A
+  // step computes these points from one another, so powers of the step can be restricted to them.
   const std::array<int, 3> next{1, rings_, rings_ + 1};
   std::vector<int>& near = support_[0];
   for (const int cell : next) {
@@ -98,7 +99,7 @@ void RingNet::build_refinements() {
     Rows result = Rows::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(near.size()));
     for (std::size_t i = 0; i < rows.size(); ++i) {
       for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(step_, rows[i]); entry; ++entry) {
-        result(static_cast<Eigen::Index>(i), place(near, static_cast<int>(entry.index()))) = entry.value();
+        result(static_cast<Eigen::Index>(i), index_in(near, static_cast<int>(entry.index()))) = entry.value();
       }
     }
     return result;
@@ -134,7 +135,7 @@ DerivativeRows RingNet::face_basis(int cell, double u, double v) const {
     }
     return rows;
   }
-  // The control points along v, then along u, as functions of the support.
+  // Applies the basis in v to the control points, then the basis in u; all are functions of the support.
   const int kept = std::min(steps, kKeptRefinements);
   const Rows& points = refined_[kept - 1][next];
   const Eigen::Index count = points.cols();
@@ -204,11 +205,12 @@ Eigen::Matrix<double, Eigen::Dynamic, 2> RingNet::characteristic_net() const {
       }
     }
   }
-  // The start has the symmetry of the eigenvector; within it the other eigenvalues are less than half as large.
+  // The start has the rotational symmetry of the eigenvector. Among vectors with this symmetry, the next eigenvalue is
+  // less than half as large, so the power iteration converges fast.
   constexpr int kPowerIterations = 64;
   for (int i = 0; i < kPowerIterations; ++i) {
     net = (step_ * net / subdominant_eigenvalue()).eval();
-    net.rowwise() -= net.row(0).eval();  // the constant mode, which round-off would let grow
+    net.rowwise() -= net.row(0).eval();  // removes the constant mode, which round-off would amplify
   }
   const double scale = (basis(2, 0).row(0) * net)(0, 0);
   return net / scale;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// This layer's kernels: what is compiled once per instruction set, from the folder kernels/, and called through a
+/// This layer's kernels: functions compiled once per instruction set, in the folder kernels/, and called through a
 /// table.
 #pragma once
 
@@ -8,7 +8,7 @@ namespace umbilic {
 
 /// The basis of a tensor grid of nodes on a regular face; see surface/regular_kernel.h.
 struct RegularGrid {
-  int points, width;      ///< nodes per direction, and along u with padding
+  int points, width;      ///< nodes per direction; the same along u with padding
   const double* along_u;  ///< [k][a][i], i < width
   const double* along_v;  ///< [l][j][b]
   double* partial;        ///< scratch memory, [c][k][b][i]
@@ -17,11 +17,11 @@ struct RegularGrid {
 /// Basis derivatives at samples, column by column.
 struct DenseTable {
   const double* entries;
-  int stride;   ///< from a column to the next
+  int stride;   ///< doubles from one column to the next
   int columns;  ///< local points
 };
 
-/// The contracts stand beside the declarations in kernels/.
+/// Each function is documented where it is declared, in kernels/.
 struct SurfaceKernels {
   void (*regular_jets)(const RegularGrid& grid, const double* points, int derivatives, double* jets);
   void (*pull_back_regular_jets)(const RegularGrid& grid, const double* adjoint, int derivatives, double* gradient);
@@ -29,7 +29,7 @@ struct SurfaceKernels {
   void (*dense_transposed_product)(const DenseTable& table, int rows, const double* adjoint, int width, double* out);
 };
 
-/// For the instruction set in use.
+/// The kernels of the instruction set in use.
 const SurfaceKernels& surface_kernels();
 
 }  // namespace umbilic

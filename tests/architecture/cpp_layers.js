@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The layers of the C++ core: who may include what, what only the command line may use, and CMake's link graph. Every check returns
- * the problems that it finds, one line each.
+ * @file Checks on the layers of the C++ core: who may include what, what only the command line may use, and CMake's
+ * link graph. Every check returns the problems that it finds, one line each.
  */
 import { matching } from './tree.js';
 
 /** @typedef {import('./tree.js').Files} Files */
 
 /**
- * The layers from the top, and which others each is linked to. A layer may include itself, these, and what they may include: solve
- * has nothing but base above it, so that it stays free of surfaces, and nothing above optimize can include it.
+ * The layers, from the top (base) to the bottom (cli) as in the README, and the layers to which each is linked. A layer
+ * may include itself, these layers, and what they may include. So solve, which is linked only to base, knows no surfaces.
  * @type {Record<string, string[]>}
  */
 export const linked = {
@@ -50,7 +50,8 @@ export function codeOf(text) {
 }
 
 /**
- * A layer's files, and its tests, include from the core only their own layer and those above it, by the path from core/.
+ * A layer's files and its tests include from the core only their own layer and those that it may include, by paths from
+ * core/.
  * @param {Files} files
  * @returns {string[]}
  */
@@ -80,7 +81,7 @@ export function upwardIncludes(files) {
 }
 
 /**
- * The C API includes the driver and the layers above it, not the command line.
+ * The C API includes the driver and the layers that it may include, not the command line.
  * @param {Files} files
  * @returns {string[]}
  */
@@ -96,8 +97,8 @@ export function apiIncludes(files) {
 }
 
 /**
- * Streams and files are for the command line. The library of JSON is for the one file that parses it, the command line and the catalog:
- * it takes seconds to compile. The C API and the rest of the core know none of them.
+ * Streams and files are for the command line only. The JSON library, which takes seconds to compile, is for the one
+ * file that parses JSON, for the command line and for the catalog.
  * @param {Files} files
  * @returns {string[]}
  */
@@ -125,14 +126,14 @@ export function localeDependence(files) {
   });
 }
 
-/** @param {string} layer @returns {string} CMake's name for it; the command line is the program itself */
+/** @param {string} layer @returns {string} its CMake target; that of the command line is the program itself */
 export function target(layer) {
   return layer === 'cli' ? 'umbilic' : `umbilic_${layer}`;
 }
 
 /**
- * CMake links each layer's target to those named in `linked`, its own kernels and the settings, and nothing else of the project; the C
- * API hangs on the driver, and kernels on nothing but settings.
+ * CMake links the target of each layer to those named in `linked`, to its own kernels and the settings, and to nothing
+ * else of the project. The C API is linked to the driver, and kernels only to the settings.
  * @param {string} graph what `cmake --graphviz` writes
  * @returns {string[]}
  */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The C++ layers hold, and each of their checks fails on a small tree that breaks it.
+ * @file The C++ layers pass all checks, and each check fails on a small tree that breaks its rule.
  */
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';

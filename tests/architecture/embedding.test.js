@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Another project that adds this one keeps its own compiler settings: warnings, optimization and output folders are not handed to
- * whoever links the libraries.
+ * @file A project that uses this one keeps its own compiler settings: the libraries do not pass on warnings,
+ * optimization and output folders.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -41,7 +41,7 @@ beforeAll(() => {
   commands = JSON.parse(readFileSync(path.join(build, 'compile_commands.json'), 'utf8'));
 });
 
-/** @param {string} file @returns {string[]} what it is compiled with, but for its folders and its language */
+/** @param {string} file @returns {string[]} its compiler options, without include folders and language */
 function optionsFor(file) {
   const command = commands.find((entry) => entry.file.endsWith(file))?.command ?? '';
   expect(command).not.toBe('');
@@ -59,7 +59,7 @@ test('a program that links the library is compiled with nothing of ours', () => 
 test('the library itself is compiled without our warnings and at the level that the other project chooses', () => {
   const own = optionsFor(path.join('core', 'cage', 'generate.cpp'));
   expect(own.filter((option) => /^-(W|O|g|DNDEBUG)/.test(option))).toEqual([]);
-  expect(own).toContain('-ffp-contract=off'); // What decides the results is the library's own.
+  expect(own).toContain('-ffp-contract=off'); // options that affect results stay with the library
 });
 
 test('the other project has no build type, no output folder and no test that it did not ask for', () => {

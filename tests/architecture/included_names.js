@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Every C++ file includes what it uses, itself or through headers of the project. The compiler does not tell, because the files of
- * a target are compiled as one: what one of them includes, those after it see too.
+ * @file Every C++ file includes what it uses, itself or through headers of the project. The compiler does not check
+ * this, because it compiles the files of a target as one: each file sees what the files before it include.
  */
 import path from 'node:path';
 import { codeOf, includes } from './cpp_layers.js';
@@ -9,7 +9,7 @@ import { matching } from './tree.js';
 
 /** @typedef {import('./tree.js').Files} Files */
 
-/** What headers of libraries declare, as far as it is in one of them only. */
+/** Names that are declared in exactly one header of a library. */
 const declaredBy = {
   algorithm:
     'std:: all_of any_of binary_search clamp copy_if count_if equal fill find find_if for_each is_sorted lexicographical_compare ' +
@@ -67,8 +67,8 @@ const headerOf = new Map(
 );
 
 /**
- * The types and constants that a file of the project declares outside of functions and types. Functions are not among them: their
- * names are often a member's or a variable's as well.
+ * The types and constants that a file of the project declares outside of functions and types. Functions are left out,
+ * because members and variables often have the same names.
  * @param {string} code
  * @returns {string[]}
  */
@@ -96,12 +96,12 @@ export function missingIncludes(files) {
     for (const name of declarations(code)) owners.set(name, (owners.get(name) ?? new Set()).add(file));
   }
 
-  /** @param {string} name as included @param {string} from @returns {string} the file, or the name where it is none of the project's */
+  /** @param {string} name as included @param {string} from @returns {string} the file, or the name itself if no file of the project has it */
   const find = (name, from) =>
     [`core/${name}`, `tests/core/${name}`, name, path.posix.join(path.posix.dirname(from), name)].find((candidate) =>
       sources.has(candidate),
     ) ?? name;
-  /** @param {string} file @param {Set<string>} seen @returns {Set<string>} all that it includes, through the project's headers too */
+  /** @param {string} file @param {Set<string>} seen @returns {Set<string>} all that it includes, directly or through the project's headers */
   const reach = (file, seen = new Set()) => {
     for (const { name } of includes(sources.get(file) ?? '')) {
       const found = find(name, file);
@@ -123,7 +123,7 @@ export function missingIncludes(files) {
     for (const [, name] of code.matchAll(/(?<![\w.]|->|::)([A-Z]\w+|k[A-Z]\w*)\b/g)) {
       const headers = [...(owners.get(name) ?? [])];
       if (!headers.length || own.has(name)) continue;
-      // Declared without being defined, as a parameter of a template, or within something else.
+      // The name is only declared here: forward, as a template parameter, or inside something else.
       if (new RegExp(`\\b(class|struct|typename|using|int|double) ${name}\\b`).test(code)) continue;
       if (!headers.some((header) => header === file || reached.has(header))) {
         problems.add(`${file} uses ${name} without "${headers[0]}"`);

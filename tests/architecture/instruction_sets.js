@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What keeps instructions that a processor lacks away from it: of the code compiled for an instruction set, nothing but what its namespace
- * holds may be merged by the linker. Every check returns the problems that it finds, one line each.
+ * @file Checks that no processor gets instructions that it lacks: the linker may merge code compiled for an instruction
+ * set only within the namespace of that set. Every check returns the problems that it finds, one line each.
  */
 
-/** As core/base/instruction_set.h names them; portable code runs everywhere. */
+/** The names in core/base/instruction_set.h, without the portable one, whose code runs everywhere. */
 export const instructionSets = ['avx2', 'avx512'];
 
 /**
- * Of equal weak functions (templates, inline functions) the linker keeps one for the whole program, whatever it was compiled for.
+ * The linker keeps only one of several equal weak functions (templates, inline functions), for whatever instruction set
+ * it was compiled.
  * @param {string} set
  * @param {string} listing what `nm --demangle --defined-only` writes of the set's objects
  * @returns {string[]}
@@ -20,7 +21,8 @@ export function sharedFunctions(set, listing) {
 }
 
 /**
- * Kernels include the core's headers that include no library, themselves, and nothing that defines functions.
+ * Kernels include only headers of the core, and these include no library: its inline functions would be compiled for
+ * the instruction set too.
  * @param {import('./tree.js').Files} files
  * @returns {string[]}
  */

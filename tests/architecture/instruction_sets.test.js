@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Code for one instruction set stays in its namespace, and the checks fail on what breaks that.
+ * @file Code for an instruction set stays in its namespace, and the checks fail on code that does not.
  */
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The layers of the JavaScript: one file touches WebAssembly memory, the worker alone imports it, views know neither, pages know nothing
- * of each other, and the home page loads neither what computes nor what draws. Every check returns the problems that it finds, one line each.
+ * @file Checks on the layers of the JavaScript: one file touches WebAssembly memory; only the worker imports it; views
+ * import neither; pages do not import each other; and the home page loads neither the core nor three.js. Every check
+ * returns the problems that it finds, one line each.
  */
 import path from 'node:path';
 import { parseAst } from 'vite';
@@ -27,7 +28,8 @@ function walk(node, visit) {
 }
 
 /**
- * What a file imports or names by `new URL(…, import.meta.url)`: relative paths resolved from the root, packages as they are.
+ * The imports of a file, and what it names by `new URL(…, import.meta.url)`. Relative paths are resolved from the root;
+ * packages keep their names.
  * @param {string} file
  * @param {string} text
  * @returns {string[]}
@@ -47,7 +49,7 @@ function imports(file, text) {
 }
 
 /**
- * Only one file knows the module's memory.
+ * Only one file uses the module's memory.
  * @param {Files} files
  * @returns {string[]}
  */
@@ -68,7 +70,7 @@ export function memoryAccess(files) {
 }
 
 /**
- * On the page, only the worker imports from wasm/, and it does.
+ * On the page, only the worker imports from wasm/; and it must do so.
  * @param {Files} files
  * @returns {string[]}
  */
@@ -84,7 +86,7 @@ export function wasmImports(files) {
 }
 
 /**
- * Views show the state and dispatch; they import neither the worker nor the module.
+ * Views show the state and dispatch actions; they import neither the worker nor the module.
  * @param {Files} files
  * @returns {string[]}
  */
@@ -97,7 +99,8 @@ export function viewImports(files) {
 }
 
 /**
- * The folders of web/ and what each may import besides itself: what is computed without a browser comes first, what is shown last.
+ * The folders of web/, and what each may import besides itself: first those that work without a browser, last those
+ * that show something.
  * @type {Record<string, string[]>}
  */
 const layers = {
@@ -113,8 +116,8 @@ const layers = {
 };
 
 /**
- * A page's own files, pages/<page>/, are on top of the common ones, those in pages/ among them, and its views on top of these. Pages do
- * not know each other.
+ * What a page's own folder, pages/<page>/, may import: the common folders, including the files in pages/ itself. Its
+ * views may also import the page's own files. Pages do not import each other.
  * @param {string} folder below web/
  * @returns {string[] | undefined} what it may import
  */
@@ -126,7 +129,7 @@ function below(folder) {
 }
 
 /**
- * Every folder of web/ imports from the layers above it only; the pages' entries beside the HTML files, from all of them.
+ * Every folder of web/ imports only what `layers` allows. The entry points beside the HTML files may import from all.
  * @param {Files} files
  * @returns {string[]}
  */
@@ -147,12 +150,12 @@ export function webLayers(files) {
 const home = 'web/index.js';
 
 /**
- * The home page loads neither three.js nor the module before they are asked for: no chain of static imports leads to them.
+ * The home page loads neither three.js nor the module at once: no chain of static imports leads to them.
  * @param {Files} files
  * @returns {string[]}
  */
 export function homeImports(files) {
-  /** @type {Map<string, string>} each file that is loaded, and what imports it */
+  /** @type {Map<string, string>} each loaded file, and the file that imports it */
   const loaded = new Map([[home, '']]);
   for (const file of loaded.keys()) {
     walk(parseAst(files.get(file) ?? ''), ({ type, source }) => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The JavaScript layers hold, and each of their checks fails on a small tree that breaks it.
+ * @file The JavaScript layers pass all checks, and each check fails on a small tree that breaks its rule.
  */
 import { describe, expect, test } from '@jest/globals';
 import { homeImports, memoryAccess, viewImports, wasmImports, webLayers } from './js_layers.js';

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What every text of the project keeps to: how a source file opens, and no word of the machines that it was written on. Every check
- * returns the problems that it finds, one line each.
+ * @file Checks on all texts of the project: how source files begin, and that nothing reveals the machine on which it
+ * was written. Every check returns the problems that it finds, one line each.
  */
 import { matching } from './tree.js';
 
 /** @typedef {import('./tree.js').Files} Files */
 
 /**
- * A source file opens with its licence and a sentence on what it owns.
+ * A source file begins with its licence and a sentence on its content.
  * @param {Files} files
  * @returns {string[]}
  */
@@ -28,7 +28,8 @@ export function openings(files) {
 }
 
 /**
- * No absolute paths of a machine and no host of a package registry; the lock file leaves the registry to whoever installs.
+ * No text contains absolute paths of a machine or hosts of a package registry. The lock file omits the registry, so
+ * that it can be chosen at installation.
  * @param {Files} files
  * @returns {string[]}
  */

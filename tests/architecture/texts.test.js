@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Every text of the project keeps to its rules, and each check fails on a small tree that breaks it.
+ * @file All texts of the project pass the checks, and each check fails on a small tree that breaks its rule.
  */
 import { describe, expect, test } from '@jest/globals';
 import { machines, openings } from './texts.js';

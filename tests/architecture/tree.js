@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The project's text files, as a map from path to text, without what is built or installed.
+ * @file The project's text files as a map from path to text, without built and installed files.
  */
 import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file One name, one type: two types of one name in a namespace are one type to the linker, which takes the functions of either for
- * both, even where the two are in different programs' sources.
+ * @file Two types must not have the same name in a namespace. The linker would treat them as one type and use the
+ * functions of one for both, even if they are in different programs.
  */
 import { matching } from './tree.js';
 
@@ -22,7 +22,7 @@ function codeOf(text) {
  */
 export function typesOf(text) {
   const code = codeOf(text);
-  /** What each open brace began: a namespace's name, or null. @type {(string | null)[]} */
+  /** For each open brace, the name of the namespace that it opened, or null. @type {(string | null)[]} */
   const open = [];
   const found = [];
   let begin = 0;

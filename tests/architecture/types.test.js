@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file No two types of one name in a namespace, and a check that finds them.
+ * @file No two types of a namespace have the same name, and the check finds two that do.
  */
 import { expect, test } from '@jest/globals';
 import { readTree } from './tree.js';

@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   }
   std::fputs(
       "Usage: umbilic_bench throughput | overhead | scaling | quadrature\n"
-      "       umbilic_bench run CAGE FUNCTIONAL LAST_LEVEL auto|identity|sobolev|hessian symmetric|whole\n",
+      "       umbilic_bench run CAGE FUNCTIONAL LAST_LEVEL auto|identity|sobolev|hessian symmetric|unsymmetric\n",
       stderr);
   return 2;
 }

@@ -39,8 +39,8 @@ std::string phases();
 /// Errors of rules on surfaces that were minimized by the rule in use, which exploits its errors.
 std::string quadrature();
 
-/// A run from its cage to its end: CAGE FUNCTIONAL LAST_LEVEL METRIC symmetric|whole, as a JSON object; nothing for
-/// other arguments.
+/// A run from its cage to its end: CAGE FUNCTIONAL LAST_LEVEL METRIC symmetric|unsymmetric, as a JSON object; nothing
+/// for other arguments.
 std::string whole_run(const std::vector<std::string>& arguments);
 
 /// Seconds of an iteration of L-BFGS beside its evaluations and metric, by unknowns.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file That the pages can be read and used by everyone, in light and in dark: the contrast of every text, axe-core's rules of WCAG 2.2 at
- * level AA, and notices that lie over no button.
+ * @file Everyone can read and use the pages, in light and in dark: the contrast of every text, axe-core's rules for
+ * WCAG 2.2 at level AA, and notices that cover no button.
  */
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -18,7 +18,7 @@ const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.mi
 
 const broken = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n';
 
-/** The studio with a surface, and the notice of a file that is broken. @param {Page} page */
+/** Opens a broken file in the studio, so that its notice appears. @param {Page} page */
 async function breakFile(page) {
   await measured(page);
   await drawn(page);
@@ -40,7 +40,7 @@ async function notice(page) {
   await page.locator('#notices').waitFor();
 }
 
-/** Pages, and what is done on them before they are looked at. @type {Array<[name: string, address: string, prepare: (page: Page) => Promise<unknown>]>} */
+/** Pages, and what is done on each before it is checked. @type {Array<[name: string, address: string, prepare: (page: Page) => Promise<unknown>]>} */
 const states = [
   ['the catalog', 'index.html', (page) => page.locator('#table td').first().waitFor()],
   ['the catalog with a notice', 'index.html?genus=nothing', notice],

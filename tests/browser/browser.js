@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Chromium for the browser tests: the system's own, without network traffic of its own, with WebGL in software.
+ * @file The system's Chromium for the browser tests, with its own network traffic disabled and WebGL in software.
  */
 import { chromium } from 'playwright-core';
 
-/** Where the system's Chromium is, unless the environment says so. */
+/** Path of the system's Chromium, unless the environment variable CHROMIUM gives another. */
 const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
 
 export function launchBrowser() {

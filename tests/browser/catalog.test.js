@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The catalog in the hands of a user: light to load, sorted, filtered, read and chosen from by mouse and keyboard, at addresses that
- * lead back to what they show.
+ * @file A user works with the catalog by mouse and keyboard: it loads little, and can be sorted, filtered, read and
+ * chosen from; its addresses restore what they show.
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the catalog's downloads hold: each file is read again, and its surface is closed and of the genus of its row.
+ * @file The catalog's downloads: each file is parsed again, and its surface is closed and has the genus of its row.
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -34,10 +34,10 @@ async function entryFile(name) {
 }
 
 /**
- * Faces of a closed oriented surface: each edge is there once in each direction.
+ * The genus of a closed oriented surface, in which each edge occurs once in each direction.
  * @param {number} vertices
  * @param {number[][]} faces
- * @returns {number} its genus
+ * @returns {number} the genus
  */
 function genusOf(vertices, faces) {
   /** @type {Set<number>} */
@@ -62,7 +62,7 @@ function parseObj(text) {
   return { vertices, faces, normals: lines.filter(([word]) => word === 'vn').length };
 }
 
-/** Vertices are those with the same coordinates. @param {Buffer} file */
+/** Parses STL; corners with the same coordinates become one vertex. @param {Buffer} file */
 function parseStl(file) {
   const count = file.readUInt32LE(80);
   expect(file.length).toBe(84 + 50 * count);
@@ -136,7 +136,7 @@ describe('an entry’s', () => {
     expect(faces).toHaveLength(entry()?.faces ?? 0);
     expect(genusOf(vertices.length, faces)).toBe(GENUS);
     const { points } = JSON.parse(readFileSync(path.join(builtPage, `catalog/${ENTRY}.json`), 'utf8')).surface;
-    // A point on the axis of the symmetry is put there to round-off.
+    // Symmetry moves a point onto its axis up to rounding.
     for (const axis of [0, 1, 2]) expect(Math.abs(vertices[0][axis] - points[axis])).toBeLessThan(1e-14);
   });
 
@@ -155,7 +155,7 @@ describe('an entry’s', () => {
     expect(name).toBe(`${ENTRY}.stl`);
     const { vertices, faces } = parseStl(content);
     expect(genusOf(vertices.length, faces)).toBe(GENUS);
-    // Coordinates are single precision.
+    // The coordinates have single precision.
     expect(Math.abs(largestExtent(vertices) - 100)).toBeLessThan(1e-4);
   }, 60_000);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the page says of a result: the symmetry that was kept, the limit with its error bar, and the certificate;
- * by mouse and by keyboard.
+ * @file What the page says about a result: the symmetry that the run kept, the limit with its error bar, and the
+ * certificate; by mouse and by keyboard.
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';

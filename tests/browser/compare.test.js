@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The comparison: surfaces that turn together under one scale of colours, their energies, and its address.
+ * @file The comparison: surfaces that turn together and share one colour scale, their energies, and the page's address.
  */
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
@@ -26,7 +26,7 @@ async function open(search, options = {}, prepare) {
   return watched;
 }
 
-/** Waits until every surface is there. @param {Page} page */
+/** Waits until every surface has loaded. @param {Page} page */
 async function complete(page) {
   await page.waitForFunction(() =>
     [...document.querySelectorAll('.pane:not([hidden]) .place')].every((place) => !place.textContent),
@@ -110,7 +110,7 @@ describe('surfaces side by side', () => {
       ['torus', 0],
       ['two-3', 1],
     ])) {
-      // The same twice, and then the other twice.
+      // Shows the same surface twice, then the other one twice.
       await page.locator(`select[aria-label="Shape ${index + 1}"]`).selectOption(shape);
       if (index) await page.locator('select[aria-label="Shape 1"]').selectOption(shape);
       await complete(page);
@@ -160,7 +160,8 @@ describe('surfaces side by side', () => {
     const again = await open(search);
     await complete(again.page);
     expect(new URL(again.page.url()).search).toBe(search);
-    // Either page may still be drawing when everything has been told; and angles are kept to a tenth of a degree.
+    // Either page may still be drawing when all messages have arrived; and addresses round angles to a tenth of a
+    // degree.
     let different = 1;
     for (let tries = 0; tries < 20 && different >= 0.02; tries++) {
       different = await difference(page, await picture(page), await picture(again.page));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How well the texts of a page can be read: the contrast of each with what lies behind it, from the styles that the browser has
- * computed. Formulas and limits of WCAG 2.2, criterion 1.4.3.
+ * @file How legible the texts of a page are: the contrast of each text with its background, from the browser's computed
+ * styles. Formulas and limits of WCAG 2.2, criterion 1.4.3.
  */
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -9,13 +9,13 @@
 /**
  * @typedef {object} Text
  * @property {string} text
- * @property {string} place the element, and the classes or name that it has
+ * @property {string} place the element with its classes or name
  * @property {number} contrast from 1 to 21
- * @property {number} least that is asked for: 4.5, and 3 for large text
+ * @property {number} least the required contrast: 4.5, or 3 for large text
  */
 
 /**
- * All texts that are seen, but those of controls that cannot be used, of which nothing is asked.
+ * All visible texts except those of disabled controls, for which there is no requirement.
  * @param {Page} page
  * @returns {Promise<Text[]>}
  */
@@ -25,7 +25,7 @@ export function readTexts(page) {
       new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })
     );
 
-    /** The colour of layers painted one over the other, the first of them opaque, in sRGB from 0 to 1. @param {string[]} layers */
+    /** The sRGB colour, from 0 to 1, of layers painted over each other; the first is opaque. @param {string[]} layers */
     function painted(layers) {
       for (const layer of layers) {
         context.fillStyle = layer;
@@ -47,7 +47,8 @@ export function readTexts(page) {
     }
 
     /**
-     * What may lie behind an element: the colours of all that it lies in, from the outermost; of a gradient, each of its colours.
+     * The possible backgrounds of an element: each is the list of colours of its ancestors, outermost first. A gradient
+     * gives one background for each of its colours.
      * @param {Element} element
      * @returns {string[][]}
      */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The studio's addresses: an entry of the catalog as it was left, what cannot be opened, and how the address follows.
+ * @file The studio's addresses: an entry of the catalog in the state in which it was left, addresses that cannot be
+ * opened, and how the address follows the state.
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -29,7 +30,7 @@ function open(search, options = {}) {
   });
 }
 
-/** Waits until the worker has told all of the surface, which comes coarsely first. @param {Page} page */
+/** Waits until the worker has sent the fine surface, which follows the coarse one. @param {Page} page */
 async function complete(page) {
   await page.locator('#downloads [name=control]:not([aria-disabled=true])').waitFor();
 }
@@ -42,7 +43,8 @@ async function copied(page) {
 }
 
 /**
- * Before the page loads: keeps when the first picture with a surface was drawn by the page, and when the browser had done its part of it.
+ * To be called before the page loads. Records when the page drew the first picture with a surface, and when the browser
+ * showed it.
  * @param {Page} page
  */
 async function recordFirstPicture(page) {
@@ -68,7 +70,7 @@ async function recordFirstPicture(page) {
   });
 }
 
-/** What a picture takes where there is nothing to load, to compute or to compile. */
+/** The time that a picture takes if there is nothing to load, compute or compile. */
 const leastPage = `<!doctype html><canvas></canvas><script type="module">
   const canvas = document.querySelector('canvas');
   const context = canvas.getContext('webgl2', { antialias: false });
@@ -121,7 +123,7 @@ describe('an address that names an entry', () => {
     const times = [];
     for (let i = 0; i < 5; i++)
       times.push(await firstPicture(`${served.url}studio.html?shape=two-3&functional=mvs_cross`));
-    // Last, so that the browser has drawn with WebGL before.
+    // Measured last, when the browser has already used WebGL.
     const floor = await firstPicture(`data:text/html,${encodeURIComponent(leastPage)}`);
     for (const time of [floor, ...times].flat()) expect(time).toBeGreaterThan(0);
     const [drawn, shown] = [0, 1].map((part) => times.map((time) => Math.round(time[part])).join(', '));
@@ -196,7 +198,7 @@ describe('an address that cannot be opened', () => {
       await page.getByRole('button', { name: 'Dismiss' }).click();
       await page.locator('#step').click();
       await status(page, /^Paused after 1 evaluation/);
-      // A file that is not there is told by the browser as well.
+      // The browser, too, reports a missing file.
       expect(errors.filter((error) => !error.includes('404'))).toEqual([]);
       await page.context().close();
     },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The first visible change after Start: a surface that has moved, before anything else that takes time. Prints how
- * long it took, which depends on the machine; asserts the order only.
+ * @file The first visible change after Start is a surface that has moved, and it comes before all other work. Prints
+ * how long it took, which depends on the machine; asserts only the order.
  */
 import { readFileSync } from 'node:fs';
 import { expect, test } from '@jest/globals';
@@ -24,7 +24,7 @@ async function dropCage(page) {
   await page.locator('#cage').filter({ hasText: 'cage.obj' }).waitFor();
 }
 
-/** When the first surface that had moved was there, and when it was drawn, after the press of a button. @param {Page} page @param {string} button */
+/** When the first moved surface arrived, and when it was drawn, after a button was pressed. @param {Page} page @param {string} button */
 async function firstChange(page, button) {
   await drawn(page);
   await page.waitForTimeout(1500); // the worker prepares, as it does while a user looks at the page
@@ -39,11 +39,11 @@ async function firstChange(page, button) {
   const before = events.slice(0, picture);
   const surfaced = before.findIndex(({ name }) => name === 'surfaced');
   expect(surfaced).toBeGreaterThanOrEqual(0); // the resting surface is not drawn once more
-  // The first evaluation is that of the cage's own surface.
+  // The first evaluation is at the surface of the cage.
   expect(before[surfaced].evaluations).toBeGreaterThan(1);
   expect(before[surfaced].evaluations).toBeLessThan(5);
   const earlier = before.slice(0, surfaced).map(({ name }) => name);
-  // The energies of a cage are known while it rests; those of an entry's cage are told as the run begins.
+  // The energies of a cage are known while it rests; those of a catalog entry's cage are sent only when the run begins.
   const late = ['saved', 'levelEnded', 'ended', ...(button === '#primary' ? ['measured'] : [])];
   for (const name of late) expect(earlier).not.toContain(name);
   expect(before.map(({ name }) => name)).not.toContain('ended');

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Where the surface is in every picture that the page draws while a run goes on, told by the pixels that are not background.
+ * @file Where the surface is in each picture that the page draws during a run, found from the pixels that are not
+ * background.
  */
 
 /** @typedef {import('playwright-core').Page} Page */
 
 /**
- * What is drawn, in parts of the picture's width and height from its top left corner; `filled` is the part of all pixels.
+ * The bounding box of what is drawn, as fractions of the picture's width and height from its top left corner; `filled`
+ * is the fraction of all pixels.
  * @typedef {{filled: number, left: number, right: number, top: number, bottom: number}} Covered
  */
 
 /**
- * Before the page loads: keeps what each picture covers, from the next press of Start on.
+ * To be called before the page loads. Records what each picture covers, starting with the next press of Start.
  * @param {Page} page
  */
 export async function recordFrames(page) {
   await page.addInitScript(() => {
-    /** Pixels along each side of the copy that is looked at. */
+    /** Size in pixels of the reduced copy that is examined. */
     const side = 128;
     /** @type {Covered[]} */
     let frames = [];
@@ -27,7 +29,7 @@ export async function recordFrames(page) {
       let count = 0;
       let [left, right, top, bottom] = [side, 0, side, 0];
       for (let i = 0; i < side * side; i++) {
-        // The canvas is transparent where nothing is drawn.
+        // The canvas is transparent where nothing has been drawn.
         if (data[4 * i + 3] < 128) continue;
         count++;
         const [x, y] = [i % side, Math.floor(i / side)];
@@ -52,7 +54,7 @@ export async function recordFrames(page) {
       const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
         new OffscreenCanvas(side, side).getContext('2d', { willReadFrequently: true })
       );
-      // Called at the end of the task that draws, before the browser takes the picture away.
+      // Called at the end of the task that draws, before the browser clears the picture.
       new MutationObserver(() => {
         if (canvas.dataset.picture === 'old') return;
         context.clearRect(0, 0, side, side);
@@ -65,7 +67,7 @@ export async function recordFrames(page) {
   });
 }
 
-/** What has been recorded. @param {Page} page @returns {Promise<Covered[]>} */
+/** The recorded frames. @param {Page} page @returns {Promise<Covered[]>} */
 export function recordedFrames(page) {
   return page.evaluate(() => /** @type {any} */ (window).recordedFrames());
 }

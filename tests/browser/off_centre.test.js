@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Cages that do not lie about the origin: their surface is in the middle of the picture from Start to the end of the run, checked on
- * the pixels of every picture that is drawn, and looks like that of the same cage about the origin.
+ * @file Cages that are not centred at the origin: during the whole run their surface is in the middle of every picture
+ * (checked on the pixels), and looks like that of the centred cage.
  */
 import path from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
@@ -34,7 +34,7 @@ function moved(obj, offset) {
   });
 }
 
-/** The surface of the genus-2 frame fits the picture, so it is large, cut off nowhere, and in the middle. @param {Covered} covered */
+/** Expects a surface that fits the picture: large, nowhere cut off, and in the middle. @param {Covered} covered */
 function expectInTheMiddle({ filled, left, right, top, bottom }) {
   expect(filled).toBeGreaterThan(0.08);
   for (const part of [left, top, 1 - right, 1 - bottom]) expect(part).toBeGreaterThan(0.01);
@@ -44,7 +44,8 @@ function expectInTheMiddle({ filled, left, right, top, bottom }) {
 }
 
 /**
- * Drops the frame, moved, minimizes its MVS with cross terms, and takes pictures of it at rest, at the end, and at the end with its control cage.
+ * Drops the moved frame on the page, minimizes its MVS_cross, and takes pictures at rest, at the end, and at the end
+ * with the control cage.
  * @param {number[]} offset
  */
 async function minimize(offset) {

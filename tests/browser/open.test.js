@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How the page opens: from any folder of any host, without errors, with a surface; in dark, in light, on a phone,
- * and where nothing can be drawn.
+ * @file The page opens without errors and with a surface: from any folder of any host, in dark and light, on a phone,
+ * and without WebGL.
  */
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
@@ -78,7 +78,7 @@ describe('the page', () => {
     await page.locator('canvas').focus();
     await page.keyboard.press('ArrowLeft');
     await page.waitForFunction((count) => Number(document.documentElement.dataset.frames) > count, before);
-    // Inertia comes to rest: there is a second without a frame.
+    // The motion ends: for a whole second no frame is drawn.
     let turned = -1;
     for (let i = 0; i < 20 && turned !== (await frames()); i++) {
       turned = await frames();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The page in the hands of a test: opened, watched for errors, and read as a user would read it.
+ * @file Helpers for tests of the page: opening it, watching for errors, and reading what a user would read.
  */
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -13,7 +13,7 @@ export const builtPage = path.join(build, 'web');
 export const screenshots = path.join(build, 'screenshots');
 
 /**
- * What went wrong so far, and what was asked for.
+ * The errors and requests of a page so far.
  * @typedef {{page: Page, errors: string[], requests: string[]}} Watched
  */
 
@@ -75,13 +75,13 @@ export function parseProgress(text) {
   return { energy, level, evaluations };
 }
 
-/** Energy, level and evaluations as the page tells them. @param {Page} page */
+/** Energy, level and evaluations as the page shows them. @param {Page} page */
 export async function progress(page) {
   return parseProgress((await page.locator('#progress').textContent()) ?? '');
 }
 
 /**
- * Listens to the progress from now on; the returned function tells all of it.
+ * Records the progress line from now on; the returned function returns all that was recorded.
  * @param {Page} page
  */
 export async function recordProgress(page) {
@@ -96,8 +96,8 @@ export async function recordProgress(page) {
 }
 
 /**
- * Before the page loads: keeps what passes between page and worker, and when pictures are drawn, from the next press of
- * Start, or of the button that minimizes an entry again, on.
+ * To be called before the page loads. Records the messages between page and worker, and when pictures are drawn,
+ * starting with the next press of Start or of "Minimize again".
  * @typedef {{time: number, name: string, evaluations: number}} PageEvent `time` in milliseconds after the press
  * @param {Page} page
  */
@@ -128,12 +128,12 @@ export async function recordEvents(page) {
   });
 }
 
-/** What has been recorded. @param {Page} page @returns {Promise<PageEvent[]>} */
+/** The recorded events. @param {Page} page @returns {Promise<PageEvent[]>} */
 export function recordedEvents(page) {
   return page.evaluate(() => /** @type {any} */ (window).recordedEvents());
 }
 
-/** Waits until so many evaluations have been done. @param {Page} page @param {number} count */
+/** Waits until this many evaluations have been made. @param {Page} page @param {number} count */
 export async function evaluated(page, count) {
   await page.waitForFunction((least) => {
     const match = /([\d\u202f]+) evaluation/.exec(document.querySelector('#progress')?.textContent ?? '');
@@ -149,7 +149,7 @@ export function energies(page) {
   });
 }
 
-/** Waits until the surface of now is drawn, finely. @param {Page} page */
+/** Waits until the current surface has been drawn at full resolution. @param {Page} page */
 export async function drawn(page) {
   await page.locator('canvas[data-picture=fine]').waitFor();
 }
@@ -170,10 +170,10 @@ export async function dropFile(page, name, text) {
 }
 
 /**
- * What a picture of the surface shows: how much of it is not background, how many colours that has, and how far they
- * are from grey.
+ * Describes a picture of the surface: the fraction that is not background, the number of its colours, and their mean
+ * distance from grey.
  * @param {Page} page
- * @param {boolean} [moving] whether a run goes on, so that the picture is never the last one
+ * @param {boolean} [moving] whether a run goes on, so that no picture is final
  */
 export async function look(page, moving = false) {
   if (!moving) await drawn(page);
@@ -184,7 +184,7 @@ export async function look(page, moving = false) {
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
     const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
     context.drawImage(bitmap, 0, 0);
-    // The middle, where nothing but the surface and the background is.
+    // The middle of the picture, which contains only the surface and the background.
     const [x, y, width, height] = [0.1, 0.15, 0.8, 0.6].map((part, i) =>
       Math.round(part * (i % 2 ? bitmap.height : bitmap.width)),
     );

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Pictures of parts of a page, and how far two of them are apart.
+ * @file Takes pictures of parts of a page and measures how much two pictures differ.
  */
 
 /** @typedef {import('playwright-core').Locator} Locator */
 /** @typedef {import('playwright-core').Page} Page */
 
-/** Waits until what is drawn is that of now. @param {Page} page */
+/** Waits until the current state has been drawn. @param {Page} page */
 async function settled(page) {
   await page.waitForFunction(() => document.querySelector('canvas')?.dataset.picture === 'fine');
 }
 
 /**
- * Waits until the address has not changed for longer than a camera rests before it is told: on a slow machine it rests in the middle of a
- * drag as well.
+ * Waits until the address has not changed for longer than a camera must rest before the page reports it. (On a slow
+ * machine the camera also rests in the middle of a drag.)
  * @param {Page} page
- * @param {string | null} before the camera that it had
+ * @param {string | null} before the camera in the address before the motion
  */
 export async function cameraRests(page, before) {
   await page.waitForFunction((was) => new URLSearchParams(location.search).get('camera') !== was, before);
@@ -37,8 +37,8 @@ export async function pictureOf(page, part) {
 }
 
 /**
- * The part of all pixels whose colours differ visibly; 1 where sizes differ.
- * @param {Page} page any; it only does the arithmetic
+ * The fraction of pixels whose colours differ visibly; 1 if the sizes differ.
+ * @param {Page} page any page; only used to compute in a browser
  * @param {string} a
  * @param {string} b
  */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file A user's way through the page: a file, a functional, a run that is watched, stopped and saved; mistakes; a
- * worker that hangs; the keyboard alone.
+ * @file A user's session: opening a file, choosing a functional, and watching, stopping and saving a run; mistakes; a
+ * worker that hangs; and using the keyboard only.
  */
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, test } from '@jest/globals';
@@ -70,7 +70,7 @@ describe('a report that was saved', () => {
     await button(page, 'Start').click();
     await status(page, /^Converged after/, 60_000);
     const again = JSON.parse((await download(page, 'Report')).text);
-    // What has been minimized is behind it.
+    // Levels before that of the report are not minimized again.
     expect(again.levels.map((/** @type {any} */ { level }) => level)).toEqual([2, 3]);
     expect(again.levels[0].energy_reported / JSON.parse(report.text).energies.bending).toBeCloseTo(1, 5);
     expect(errors).toEqual([]);
@@ -97,7 +97,7 @@ describe('a user', () => {
     expect((await look(page)).coloured).toBeGreaterThan(0.1);
 
     await page.locator('[name=functional]').selectOption('mvs_cross');
-    // So that it takes longer than the test.
+    // Makes the run take longer than the test.
     await page.locator('[name=symmetry]').uncheck();
     await page.locator('[name=last]').selectOption('4');
     await page.locator('[name=first]').selectOption('2');
@@ -144,7 +144,7 @@ describe('a user', () => {
       options: { levels: [0, 0], max_iterations: 0 },
     });
     while (!minimizer.step(10));
-    // What was saved is the surface whose energies the table shows.
+    // The saved surface is the one whose energies the table shows.
     expect(minimizer.energies.mvs_cross / number(after['MVS with cross terms']) - 1).toBeLessThan(1e-3);
     minimizer.dispose();
 
@@ -237,7 +237,7 @@ describe('a user', () => {
 
   test('works with the keyboard alone: to Start by Tab, Enter, and Enter again to pause', async () => {
     const { page } = await openPage(served.browser, served.url);
-    // Without symmetry, or the run would be over too soon; set without moving the focus.
+    // Without symmetry, so that the run does not end too soon; set without moving the focus.
     await page.evaluate(() => {
       const keep = /** @type {HTMLInputElement} */ (document.querySelector('[name=symmetry]'));
       keep.checked = false;
@@ -288,7 +288,7 @@ describe('the worker', () => {
       await button(page, 'Start').click();
       await status(page, /^Minimizing/);
       await evaluated(page, 4 + 3 * i);
-      // Both progress lines are read where the click happens, so that no evaluation of a slow look in between counts.
+      // Reads both progress lines in the task of the click, so that evaluations during a slow reading do not count.
       const { time, before, after } = await page.evaluate(
         () =>
           new Promise((/** @type {(told: {time: number, before: string, after: string}) => void} */ resolve) => {
@@ -355,7 +355,7 @@ describe('the worker', () => {
     await evaluated(page, 2);
     const resumed = await progress(page);
     expect(resumed.level).toBeGreaterThanOrEqual(before.level);
-    // It goes on from the copy, which was at most two seconds old, not from the cage.
+    // The run continues from the copy, which was at most two seconds old, not from the cage.
     expect(resumed.energy).toBeLessThan(1.5 * before.energy);
     expect(errors).toEqual([]);
     await page.context().close();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The built page served to a browser for as long as a test file runs.
+ * @file Serves the built page to a browser while a test file runs.
  */
 import { mkdirSync } from 'node:fs';
 import { afterAll, beforeAll } from '@jest/globals';

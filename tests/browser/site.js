@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The built page on a static server without any special headers, under a sub-path, as a cheap host would serve
- * it.
+ * @file Serves the built page like a cheap static host: under a sub-path and without special headers.
  */
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';

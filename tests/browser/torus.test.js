@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The torus page: the slider moves the torus, and the printed numbers are those of the closed forms.
+ * @file The torus page: the slider changes the torus, and the printed numbers agree with the closed forms.
  */
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
@@ -29,7 +29,7 @@ async function open(search = '', options = {}, prepare) {
 /** @param {string} text as the page prints numbers */
 const number = (text) => Number(text.replaceAll('\u202f', '').replaceAll('−', '-'));
 
-/** Ratio and energies as they are printed. @param {Page} page */
+/** The printed ratio and energies. @param {Page} page */
 async function numbers(page) {
   /** @param {string} selector */
   const read = async (selector) => number(await page.locator(selector).innerText());
@@ -47,8 +47,8 @@ const bendingOf = (a) => (4 * Math.PI ** 2) / (a * Math.sqrt(1 - a * a));
 const crossOf = (a) => 8 * Math.PI ** 4 * (1 - a * a) ** -1.5;
 
 /**
- * Seven digits are printed, which leaves half a unit of the seventh, at most 5e-7; what goes with the ratio's fourth power or less has no
- * more than four times that.
+ * Seven digits are printed, so the relative rounding error is at most 5e-7; in powers of the ratio up to the fourth it
+ * is at most four times that.
  * @param {number} value
  * @param {number} expected
  */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Dense products and decompositions by Eigen that the tests of several layers compare with. A compiler takes up to ten
-/// seconds for each, so that they are compiled once, here.
+/// Eigen's dense products and decompositions for comparisons in the tests of several layers. Compilers take up to ten
+/// seconds for each, so they are compiled once, here.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@ namespace umbilic::test {
 /// B^T A B.
 Eigen::MatrixXd congruent(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// Orthonormal columns, orthogonal to those of a, which are independent.
+/// Orthonormal columns that are orthogonal to those of a. The columns of a must be independent.
 Eigen::MatrixXd orthogonal_complement(const Eigen::MatrixXd& a);
 
 bool positive_definite(const Eigen::MatrixXd& symmetric);
@@ -19,7 +19,8 @@ bool positive_definite(const Eigen::MatrixXd& symmetric);
 /// A^-1 B of a positive definite A.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// In rising order: those of a symmetric A, and those of the pencil A - lambda B with B positive definite.
+/// Eigenvalues in ascending order: those of a symmetric A, and those of the pencil A - lambda B with B positive
+/// definite.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& a);
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file `npm run bench`: builds the benchmark natively and for WebAssembly, measures all subjects but the quadrature rules, or those
- * named (`npm run bench -- shapes metrics`), prints their tables and writes build/bench.json. `npm run bench -- readme` puts the last
- * results into the README.
+ * @file `npm run bench`: builds the benchmark natively and for WebAssembly, runs the given subjects (`npm run bench --
+ * shapes metrics`; by default all but the quadrature rules), prints their tables and writes build/bench.json. `npm run
+ * bench -- readme` copies the last results into the README.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -32,7 +32,7 @@ const byDefault = Object.keys(subjects).filter((name) => name !== 'quadrature');
 const results = path.join(root, 'build/bench.json');
 const readme = path.join(root, 'README.md');
 
-/** @returns {Record<string, any>} of earlier runs too, by subject */
+/** @returns {Record<string, any>} the results of all runs so far, by subject */
 const lastResults = () => (existsSync(results) ? JSON.parse(readFileSync(results, 'utf8')) : {});
 
 /** @returns {string} the summaries of all subjects that were measured */

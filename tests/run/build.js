@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Builds the parts of the project into build/: `node tests/run/build.js native sanitize wasm web`.
+ * @file Builds parts of the project into build/: `node tests/run/build.js native sanitize wasm web`.
  */
 import { existsSync, readdirSync, statSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -11,19 +11,19 @@ import { output, root, run } from './process.js';
 
 /** @typedef {'native' | 'sanitize' | 'wasm' | 'web'} Part */
 
-/** What must be installed for each part, in the order in which they are built. @type {Record<Part, import('./install.js').Need[]>} */
+/** The parts in the order in which they are built, and what must be installed for each. @type {Record<Part, import('./install.js').Need[]>} */
 export const parts = { native: ['native'], wasm: ['wasm'], web: [], sanitize: ['native'] };
 
 /**
- * The folder of build/ that a part is built in: the sanitized tests share the objects of the native ones.
+ * The folder of build/ for a part. The sanitized tests share the objects of the native ones.
  * @param {Exclude<Part, 'web'>} part
  */
 const folderOf = (part) => (part === 'sanitize' ? 'native' : part);
 
 /**
- * Builds one part, past a target that fails. The page needs the WebAssembly module.
+ * Builds one part and continues after a target fails. The page needs the WebAssembly module.
  * @param {Part} part
- * @param {...string} targets all of them where none is named
+ * @param {...string} targets by default all
  * @returns {Promise<boolean>} whether all of it was built
  */
 export async function build(part, ...targets) {
@@ -37,7 +37,7 @@ export async function build(part, ...targets) {
 }
 
 /**
- * Lets CMake write a part's build files. Later changes of CMake's files are noticed by the build itself.
+ * Runs CMake to write a part's build files. The build itself notices later changes of CMake's files.
  * @param {'native' | 'wasm'} part
  * @returns {Promise<boolean>}
  */
@@ -50,13 +50,13 @@ export async function configure(part) {
   return (await run('cmake', args)) === 0;
 }
 
-/** CMake's file for em++, used without `emcmake`, which gives Node flags that it does not know any more. */
+/** CMake's toolchain file for em++. It is used without `emcmake`, which passes flags that Node no longer knows. */
 function emscriptenToolchain() {
   const folder = output('em-config', ['EMSCRIPTEN_ROOT'])?.trim() ?? '/usr/share/emscripten';
   return path.join(folder, 'cmake/Modules/Platform/Emscripten.cmake');
 }
 
-/** Builds the page unless it is newer than everything that it is made of. */
+/** Builds the page, unless it is newer than all its sources. */
 async function buildPage() {
   const page = path.join(root, 'build/web/index.html');
   const inputs = ['web', 'wasm', 'build/wasm/umbilic-core.mjs', 'build/wasm/umbilic-core.wasm', 'package-lock.json'];
@@ -65,7 +65,7 @@ async function buildPage() {
   return (await run(process.execPath, vite)) === 0;
 }
 
-/** @param {string[]} names files and folders @returns {number} when the newest of them, or of what they hold, was changed */
+/** @param {string[]} names files and folders @returns {number} the time of the last change to any of them or their content */
 function newest(names) {
   const paths = names.flatMap((name) => {
     const file = path.join(root, name);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file `npm run catalog`: builds the program and computes web/catalog, what is missing of it (`-- --anew`: all of it); `-- --check` computes
- * everything again and compares. All options of `umbilic catalog` may follow. `npm run catalog -- readme` puts its tables into the README.
+ * @file `npm run catalog`: builds the program and computes the missing parts of web/catalog (`-- --anew`: all parts).
+ * `-- --check` computes everything again and compares. All options of `umbilic catalog` may follow. `npm run catalog --
+ * readme` copies its tables into the README.
  */
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';

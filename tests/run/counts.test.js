@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The counts of `npm test` say what the reports of GoogleTest and Jest say, and never pass for want of tests.
+ * @file The counts of `npm test` match the reports of GoogleTest and Jest, and a run without tests never passes.
  */
 import { describe, expect, test } from '@jest/globals';
 import { countGoogleTests } from './cpp_tests.js';

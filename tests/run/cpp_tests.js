@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Runs the C++ test executables of a build, one for each folder of tests, and counts their tests.
+ * @file Runs the C++ test programs of a build, one for each folder of tests, and counts their tests.
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -12,7 +12,7 @@ import { expectSome, line, sum } from './tally.js';
 
 const minutesForOneExecutable = 15;
 
-/** @returns {string[]} the executables that the folders of tests call for, as tests/CMakeLists.txt names them */
+/** @returns {string[]} the expected programs, one per folder of tests, with their names in tests/CMakeLists.txt */
 function executables() {
   const core = path.join(root, 'tests/core');
   const folders = existsSync(core)
@@ -30,7 +30,7 @@ function hasTests(folder) {
 }
 
 /**
- * Runs all C++ tests of one build; under the sanitizers without those whose name has the word Slow.
+ * Runs all C++ tests of one build. With sanitizers, leaves out tests with Slow in their name.
  * @param {'native' | 'sanitize'} part
  * @returns {Promise<Tally>}
  */

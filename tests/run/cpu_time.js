@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The processor's time that this process and the programs that it ran have taken, where the platform tells: Linux does. Programs
- * still running count when they have ended, and those that outlive whoever started them do not.
+ * @file The CPU time of this process and the programs that it has run, on platforms that report it (Linux). Running
+ * programs are counted only after they have ended; programs that outlive their parent are not counted.
  */
 import { existsSync, readFileSync } from 'node:fs';
 
-const ticksPerSecond = 100; // in /proc, on every processor
+const ticksPerSecond = 100; // the unit of /proc, the same on every processor
 
 /** @returns {number | undefined} seconds */
 export function cpuSeconds() {
@@ -14,8 +14,8 @@ export function cpuSeconds() {
 }
 
 /**
- * @param {string} stat a process's line in /proc; its name, in parentheses, may hold anything
- * @returns {number} the time of the process and of its ended children, for itself and in the system
+ * @param {string} stat a process's line in /proc; its name, in parentheses, may contain any characters
+ * @returns {number} the user and system time of the process and its ended children
  */
 export function secondsIn(stat) {
   const afterName = stat.slice(stat.lastIndexOf(')') + 2).split(' ');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The processor's time counts this process and the programs that it ran.
+ * @file The CPU time includes this process and the programs that it has run.
  */
 import { expect, test } from '@jest/globals';
 import { spawnSync } from 'node:child_process';

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Times Surface Evolver on the genus-2 bending minimizer (`npm run bench -- evolver`), a schedule at a time on one core.
+ * @file Measures Surface Evolver on the genus-2 bending minimizer (`npm run bench -- evolver`), one schedule at a time
+ * on one core.
  */
 import { spawn, spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -16,10 +17,10 @@ import { schedules as allSchedules, vocabulary } from '../bench/evolver/schedule
  * @property {number} willmore the integral of H^2
  * @property {number} vertices
  * @property {number} cpuSeconds of Evolver since its start
- * @property {number} seconds since its start, by the clock on the wall
+ * @property {number} seconds wall-clock time since its start
  */
 /**
- * @typedef {object} Reached the first step from which on the error stays, see `reached`
+ * @typedef {object} Reached the first step after which the error stays small, see `reached`
  * @property {number} vertices
  * @property {number} relativeError of that level's last step
  * @property {number} seconds
@@ -27,25 +28,25 @@ import { schedules as allSchedules, vocabulary } from '../bench/evolver/schedule
  */
 /**
  * @typedef {object} EvolverRow
- * @property {'whole' | 'sector'} domain
+ * @property {'whole' | 'sector'} domain the whole surface or a twelfth of it
  * @property {string} quantity
  * @property {string} schedule
  * @property {number} vertices of the last level, in the domain
- * @property {number} energy 4 W + 8 pi, the bending energy of a surface of genus 2
+ * @property {number} energy 4 W + 8 pi, the bending energy of a surface of genus 2 with Willmore energy W
  * @property {number} relativeError signed: discrete energies may be too low
- * @property {number} seconds all of the run
+ * @property {number} seconds of the whole run
  * @property {number} cpuSeconds
  * @property {number | null} secondsToTenthPercent
  * @property {number | null} cpuSecondsToTenthPercent
  * @property {Reached | null} tenthPercent
- * @property {boolean} ended whether Evolver ended by itself, within the time limit
+ * @property {boolean} ended whether Evolver ended by itself within the time limit
  */
 
 /** The bending energy of Lawson's surface xi_{2,1}: 4 W + 8 pi for W = 21.908514. */
 export const exactBending = 112.7668;
 const tolerance = 1e-3;
 const secondsPerSchedule = 60;
-/** Rounds of each schedule; the quickest counts, because other work on the machine only slows it. */
+/** Number of rounds of each schedule. The fastest counts, because other work on the machine can only slow it down. */
 const rounds = 3;
 
 export const evolverMissing =
@@ -62,9 +63,9 @@ const bending = (willmore) => 4 * willmore + 8 * Math.PI;
 const errorOf = (step) => bending(step.willmore) / exactBending - 1;
 
 /**
- * A line of `report`, which Evolver may open with its prompt.
+ * Parses a line of `report`, which may begin with Evolver's prompt.
  * @param {string} line
- * @param {number} seconds when it came
+ * @param {number} seconds time at which the line arrived
  * @returns {Step | undefined}
  */
 export function parseStep(line, seconds) {
@@ -74,8 +75,9 @@ export function parseStep(line, seconds) {
 }
 
 /**
- * The first step of the first level that stays within the tolerance up to the level's end, if every later level ends there too.
- * An energy that only passes the exact one on its way does not count; that the first energies after a refinement are off does not matter.
+ * Finds the first level whose energy stays within the tolerance until its end, such that every later level also ends
+ * within it, and returns the first step of that level from which on it stays. An energy that only passes through the
+ * exact value does not count; errors right after a refinement do not matter.
  * @param {Step[]} steps
  * @returns {Reached | null}
  */

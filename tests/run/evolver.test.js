@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Surface Evolver's output is read right, its datafile is a surface of genus 2 in twelve sectors, and a short run nears the minimum.
+ * @file Surface Evolver's output is parsed correctly, its data file describes a surface of genus 2 in twelve sectors,
+ * and a short run approaches the minimum.
  */
 import { describe, expect, test } from '@jest/globals';
 import { datafile } from '../bench/evolver/datafile.js';

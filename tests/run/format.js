@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Lays out all sources as the gates want them.
+ * @file Formats all sources as `npm run lint` requires.
  */
 import { installPackages, installTools } from './install.js';
 import { cppFiles, node } from './lint.js';

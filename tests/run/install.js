@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Installs what a command needs and the machine lacks: Debian's packages and the node packages of package-lock.json.
- * Quick when nothing is missing. Uses Node's builtins only, because it runs before anything is installed.
+ * @file Installs what a command needs and the machine lacks: Debian packages and the node packages of
+ * package-lock.json. Fast if nothing is missing. Uses only modules of Node itself, because it runs before anything is
+ * installed.
  */
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -10,7 +11,7 @@ import { output, root, run } from './process.js';
 /** @typedef {'native' | 'wasm' | 'lint' | 'browser'} Need */
 
 /**
- * Debian's packages, by what shows that they are there: a program on the PATH or a header under an include folder.
+ * Debian packages. Each is recognized by a program on the PATH or a header in an include folder.
  * @type {{ package: string, program?: string, header?: string, needs: Need[] }[]}
  */
 const tools = [
@@ -47,7 +48,7 @@ function missingTools(needs) {
 }
 
 /**
- * Installs missing compilers, libraries and the browser through apt-get; says what to do where it cannot.
+ * Installs missing compilers, libraries and the browser with apt-get. If it cannot, it says what to install.
  * @param {...Need} needs
  * @returns {Promise<boolean>} whether everything is there
  */
@@ -73,7 +74,7 @@ export async function installTools(...needs) {
     const command = ['env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get', '-qq', ...args];
     return isRoot ? run(command[0], command.slice(1)) : run('sudo', command);
   };
-  await aptGet('update'); // Whether it mattered that one of these failed, the next look tells.
+  await aptGet('update'); // failures are ignored; the next check shows whether something is missing
   await aptGet('install', '--yes', '--no-install-recommends', ...missing);
   const absent = missingTools(needs);
   if (absent.length) console.error(`Could not install ${absent.join(' ')}`);
@@ -81,7 +82,7 @@ export async function installTools(...needs) {
 }
 
 /**
- * Installs the node packages when node_modules is not what package-lock.json says.
+ * Installs the node packages if node_modules does not match package-lock.json.
  * @returns {Promise<boolean>} whether they are there
  */
 export async function installPackages() {
@@ -89,7 +90,9 @@ export async function installPackages() {
   return (await run('npm', ['ci'])) === 0;
 }
 
-/** Whether node_modules holds the packages of package-lock.json; optional ones, for other machines, may be absent. */
+/**
+ * Whether node_modules contains the packages of package-lock.json. Optional ones, for other machines, may be missing.
+ */
 function packagesAreInstalled() {
   const installedFile = path.join(root, 'node_modules/.package-lock.json');
   if (!existsSync(installedFile)) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Runs the Jest tests of some folders and counts them.
+ * @file Runs the Jest tests in some folders and counts them.
  */
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import path from 'node:path';
@@ -33,7 +33,7 @@ export async function runJestTests(name, folders, flags = []) {
 
 /**
  * @param {string} json Jest's report
- * @returns {Tally} where a file that cannot be run counts as one failed test
+ * @returns {Tally} a file that cannot be run counts as one failed test
  */
 export function countJestTests(json) {
   const report = JSON.parse(json);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The gates on the text of the sources: C++ layout, JavaScript layout, ESLint, and the types in JSDoc.
+ * @file The checks of `npm run lint`: formatting of C++, formatting of JavaScript, ESLint, and the types in JSDoc.
  */
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
@@ -41,7 +41,7 @@ export async function node(program, ...args) {
   return (await run(process.execPath, [path.join('node_modules', program), ...args])) === 0;
 }
 
-/** Names the files only: `npm run format` knows what to do about them. */
+/** Prints only file names, because `npm run format` can fix them. */
 async function checkCppLayout() {
   const { code, text } = await capture('clang-format', ['--dry-run', '-Werror', ...cppFiles()]);
   const files = new Set([...text.matchAll(/^(\S+?):\d+:\d+: error/gm)].map(([, file]) => file));
@@ -49,7 +49,7 @@ async function checkCppLayout() {
   return code === 0;
 }
 
-/** The declarations of the WebAssembly module are written when its build is configured. */
+/** Configures the WebAssembly build if necessary, since that writes the module's type declarations. */
 async function checkTypes() {
   if (!existsSync(path.join(root, 'build/wasm/umbilic-core.d.mts')) && !(await configure('wasm'))) return false;
   return node('typescript/bin/tsc', '--project', 'web/tsconfig.json');

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file `npm run pictures`: takes the README's pictures and the catalog's thumbnails from what the page really draws. `npm run pictures --
- * readme` or `catalog` takes only those.
+ * @file `npm run pictures`: makes the README's pictures and the catalog's thumbnails by drawing with the page itself.
+ * `npm run pictures -- readme` or `-- catalog` makes only those.
  */
 import { mkdirSync } from 'node:fs';
 import path from 'node:path';
@@ -17,7 +17,7 @@ import { root } from './process.js';
 
 const folder = path.join(root, 'web/pictures');
 
-/** The page with a minimizer on it. @param {Browser} browser @param {string} url */
+/** A picture of the page with a minimizer. @param {Browser} browser @param {string} url */
 async function pagePicture(browser, url) {
   const { page } = await openPage(browser, url, { colorScheme: 'light', viewport: { width: 1280, height: 940 } });
   await page.locator('#primary').click();
@@ -27,7 +27,7 @@ async function pagePicture(browser, url) {
   await page.context().close();
 }
 
-/** The extraordinary vertices of the first cage under the three caps, side by side. @param {Browser} browser @param {string} url */
+/** A picture of the extraordinary vertices of the first cage with the three kinds of caps, side by side. @param {Browser} browser @param {string} url */
 async function capsPicture(browser, url) {
   const { page } = await openPage(browser, url, { colorScheme: 'light' });
   await page.locator('[name=functional]').selectOption('bending');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Runs other programs from the repository's root for the npm commands, with their output shown or captured.
+ * @file Runs other programs from the repository's root for the npm commands, showing or capturing their output.
  */
 import { spawn, spawnSync } from 'node:child_process';
 import path from 'node:path';
@@ -11,34 +11,34 @@ export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '
 
 /**
  * @typedef {object} RunOptions
- * @property {NodeJS.ProcessEnv} [environment] added to this process's
- * @property {number} [minutes] the program is ended after so many
+ * @property {NodeJS.ProcessEnv} [environment] added to the environment of this process
+ * @property {number} [minutes] time limit after which the program is stopped
  */
 
 /**
- * Runs a program with its output shown.
+ * Runs a program and shows its output.
  * @param {string} program
  * @param {string[]} args
  * @param {RunOptions} [options]
- * @returns {Promise<number>} its exit code; 127 when it cannot be started, 128 when a signal or the time limit ended it
+ * @returns {Promise<number>} its exit code; 127 if it cannot be started, 128 if a signal or the time limit stopped it
  */
 export async function run(program, args, options = {}) {
   return (await start(program, args, 'inherit', options)).code;
 }
 
 /**
- * Runs a program and collects all that it prints.
+ * Runs a program and collects its output.
  * @param {string} program
  * @param {string[]} args
  * @param {RunOptions} [options]
- * @returns {Promise<{code: number, text: string}>} as `run`, and standard output and error together
+ * @returns {Promise<{code: number, text: string}>} `code` as from `run`; `text` has standard output and standard error
  */
 export function capture(program, args, options = {}) {
   return start(program, args, 'pipe', options);
 }
 
 /**
- * What a program prints on standard output, or undefined when it fails or is absent.
+ * The standard output of a program; undefined if it fails or does not exist.
  * @param {string} program
  * @param {string[]} args
  * @returns {string | undefined}

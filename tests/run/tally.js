@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Counts of passed, failed and skipped tests, and their one line.
+ * @file Counts of passed, failed and skipped tests, and the line that shows them.
  */
 
 /** @typedef {{ passed: number, failed: number, skipped: number }} Tally */
@@ -22,7 +22,7 @@ export function sum(tallies) {
 }
 
 /**
- * What runs no test has failed: whoever asked for it expected some.
+ * A run without tests counts as failed, because its caller expected some.
  * @param {Tally} tally
  * @returns {Tally}
  */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file `npm test`: installs what is missing, builds everything, runs every gate and every test, and ends with one line that counts them
- * all. Names of suites as arguments run only those (`npm test -- gates native`).
+ * @file `npm test`: installs what is missing, builds everything, runs all checks and all tests, and prints one line
+ * with their counts at the end. With names of suites as arguments, runs only those (`npm test -- gates native`).
  */
 import { build } from './build.js';
 import { runCppTests } from './cpp_tests.js';
@@ -15,7 +15,7 @@ import { line, one, sum } from './tally.js';
 /** @typedef {import('./build.js').Part} Part */
 
 /**
- * The suites in their order, each with the parts that it needs built.
+ * The suites in their order, and the parts that must be built for each.
  * @type {Record<string, { parts: Part[], run: () => Promise<Tally> }>}
  */
 const suites = {

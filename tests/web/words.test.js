@@ -13,7 +13,7 @@ import {
   metricWords,
   schoenflies,
 } from '../../web/words/results.js';
-import { compact, counted, duration, significant, tickText, whole, withError } from '../../web/words/numbers.js';
+import { compact, counted, duration, integer, significant, tickText, withError } from '../../web/words/numbers.js';
 
 import { certificate, levelReport, noLimit } from './state.js';
 
@@ -87,7 +87,7 @@ describe('a number', () => {
   test('of things, of thousands and of seconds', () => {
     expect(counted(1, 'face')).toBe('1 face');
     expect(counted(12288, 'face')).toBe(`${narrow('12 288')} faces`);
-    expect(whole(-3)).toBe('−3');
+    expect(integer(-3)).toBe('−3');
     expect(duration(0.42)).toBe('0.4 s');
     expect(duration(59.6)).toBe('1 min 0 s');
     expect(duration(200)).toBe('3 min 20 s');

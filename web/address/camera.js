@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Where a surface is looked at from, in a few numbers that mean the same in every window: `camera=38.7,22.1,1`.
+ * @file A camera as a few numbers in an address, independent of the window's size: `camera=38.7,22.1,1`.
  */
 import { numberIn } from './fields.js';
 
@@ -11,24 +11,24 @@ import { numberIn } from './fields.js';
  * @typedef {object} Camera
  * @property {number} azimuth degrees about the axis, -180 to 180
  * @property {number} elevation degrees above the plane across the axis, -90 to 90
- * @property {number} distance 1 where the surface just fits the view: in a given view, a multiple of its radius
- * @property {[number, number, number]} target what it looks at, from the surface's centre, in radii
+ * @property {number} distance 1 if the surface just fits the view; otherwise a multiple of that distance
+ * @property {[number, number, number]} target the point it looks at, relative to the surface's centre, in radii
  */
 
-/** Where every surface is looked at from first. @type {Camera} */
+/** The initial camera of every surface. @type {Camera} */
 export const firstCamera = { azimuth: 38.7, elevation: 22.1, distance: 1, target: [0, 0, 0] };
 
-/** The nearest and the farthest that the camera goes. */
+/** The smallest and the largest distance of the camera. */
 export const NEAREST = 0.05;
 export const FARTHEST = 8;
-/** Farthest that the target leaves the centre. */
+/** The largest distance of the target from the centre. */
 const ASIDE = 20;
 
 /** @param {number} value @param {number} decimals */
 const rounded = (value, decimals) => Number(value.toFixed(decimals)) + 0;
 
 /**
- * To the digits that an address keeps: tenths of a degree, thousandths of the size.
+ * Rounds to the digits that an address keeps: tenths of a degree, thousandths of the size.
  * @param {Camera} camera
  * @returns {Camera}
  */

@@ -8,15 +8,15 @@ import { choice, formatAddress, isFunctional, isShape, parseAddress } from './fi
 /** @import {Field} from './fields.js' */
 
 /**
- * @typedef {object} CatalogAddress null and empty: any
+ * @typedef {object} CatalogAddress null or empty means no filter
  * @property {string} sort `shape` (the paper's order), `genus`, or a functional whose energies order the rows
  * @property {'asc' | 'desc'} direction
  * @property {number | null} genus only shapes of this genus
- * @property {number | null} arms only shapes whose junctions have so many
- * @property {string} group only shapes of this symmetry, by its Schoenflies symbol
- * @property {EntryStatus | ''} status only shapes that have an entry of which this is known
+ * @property {number | null} arms only shapes whose junctions have this many arms
+ * @property {string} group only shapes with this symmetry, a Schoenflies symbol
+ * @property {EntryStatus | ''} status only shapes that have an entry with this status
  * @property {string} search
- * @property {string} entry whose details are open, as "shape.functional"; empty for none
+ * @property {string} entry the entry whose details are open, as "shape.functional"; empty if none
  */
 
 /** @type {EntryStatus[]} */

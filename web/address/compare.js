@@ -14,7 +14,7 @@ import { shadingField } from './shading.js';
 
 /** @typedef {{entries: EntryName[], shading: Shading, camera: Camera}} CompareAddress */
 
-/** Fewest and most entries side by side. */
+/** The smallest and the largest number of entries side by side. */
 export const FEWEST = 2;
 export const MOST = 4;
 

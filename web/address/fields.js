@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Addresses as lists of fields: what each field's text means, what holds where it is missing or means nothing, and
- * how it is written. Pure.
+ * @file Addresses as lists of fields. A field knows how to read its text, how to write its value, and what holds if its
+ * text is missing or invalid. Pure.
  */
 
 /**
  * One parameter of an address.
  * @template T
  * @typedef {object} Field
- * @property {T} fallback where the address does not say
- * @property {(text: string) => T | undefined} read undefined for text that means nothing
+ * @property {T} fallback the value if the address does not contain the parameter
+ * @property {(text: string) => T | undefined} read undefined for invalid text
  * @property {(value: T) => string} write
- * @property {string} expected what its text may be, for the notice
- * @property {boolean} [always] whether it is written where it is the fallback
+ * @property {string} expected describes valid text, for the notice
+ * @property {boolean} [always] written even if it equals the fallback
  */
 
-/** Most characters of a broken value that a notice repeats. */
+/** The longest part of an invalid value that a notice repeats, in characters. */
 const QUOTED = 40;
 
 /** @param {string} name @param {string} text @param {string} expected */
@@ -28,7 +28,7 @@ function notice(name, text, expected) {
  * @template {Record<string, any>} A
  * @param {{[K in keyof A]: Field<A[K]>}} fields
  * @param {string} search the address from its question mark on
- * @returns {{address: A, notices: string[]}} a sentence for each field that fell back because its text means nothing
+ * @returns {{address: A, notices: string[]}} a sentence for each field whose text is invalid; it gets the fallback
  */
 export function parseAddress(fields, search) {
   const parameters = new URLSearchParams(search);
@@ -44,11 +44,11 @@ export function parseAddress(fields, search) {
 }
 
 /**
- * The inverse of `parseAddress`: fields in their order, without those that say what holds anyway.
+ * The inverse of `parseAddress`. Writes the fields in their order, leaving out those that equal their fallback.
  * @template {Record<string, any>} A
  * @param {{[K in keyof A]: Field<A[K]>}} fields
  * @param {A} address
- * @returns {string} empty or from the question mark on
+ * @returns {string} empty, or the address from its question mark on
  */
 export function formatAddress(fields, address) {
   const parts = Object.entries(fields).flatMap(([name, { write, fallback, always }]) => {
@@ -58,11 +58,11 @@ export function formatAddress(fields, address) {
   return parts.length ? `?${parts.join('&')}` : '';
 }
 
-/** Commas and colons may stand in an address as they are. @param {string} text */
+/** Encodes all but commas and colons, which are allowed in an address. @param {string} text */
 const readable = (text) => encodeURIComponent(text).replaceAll('%2C', ',').replaceAll('%3A', ':');
 
 /**
- * One of some words.
+ * A field whose value is one of some words.
  * @template {string} T
  * @param {readonly T[]} words
  * @param {T} fallback
@@ -83,7 +83,7 @@ export function numberIn(text) {
 }
 
 /**
- * A number from `low` to `high`.
+ * A field whose value is a number from `low` to `high`.
  * @param {number} fallback
  * @param {number} low
  * @param {number} high

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What a surface is shaded by, in an address.
+ * @file The address field for the quantity that colours a surface.
  */
 import { quantities } from '../colour/quantities.js';
 import { choice } from './fields.js';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The studio's address. `studio.html?shape=two-3&functional=mvs_cross` is the catalog's minimizer;
- * `studio.html?shape=two-3`, and every address with `start=cage`, is the cage with what is to be minimized.
+ * @file The studio's address. `studio.html?shape=two-3&functional=mvs_cross` opens the catalog's minimizer.
+ * `studio.html?shape=two-3`, and every address with `start=cage`, opens the cage with the settings for minimizing it.
  */
 import { cameraField } from './camera.js';
 import { choice, formatAddress, isFunctional, isShape, number, numberIn, parseAddress } from './fields.js';
@@ -16,9 +16,10 @@ import { readWeights, weightsExpected, writeWeights } from './weights.js';
 
 /**
  * @typedef {object} StudioAddress
- * @property {string} shape a generator's name; empty for a surface that no address can name
- * @property {string} functional a functional's name, the catalog's name of a blend, `blend` for the weights, or empty
- * @property {'catalog' | 'cage'} start where the functional is named, what is opened
+ * @property {string} shape a generator's name; empty if the surface came from a file
+ * @property {string} functional the name of a functional or of a blend in the catalog, `blend` if `weights` holds, or
+ *   empty
+ * @property {'catalog' | 'cage'} start what is opened if a functional is named
  * @property {'hub' | 'flag'} family
  * @property {number} thickness
  * @property {Weights} weights
@@ -29,7 +30,7 @@ import { readWeights, weightsExpected, writeWeights } from './weights.js';
  * @property {Camera} camera
  */
 
-/** Most levels that an address may ask for. */
+/** The largest level that an address may ask for. */
 const MAX_LEVEL = 6;
 
 /** @type {Field<[number, number]>} */

@@ -12,7 +12,7 @@ import { readWeights, weightsExpected, writeWeights } from './weights.js';
 /** @import {Field} from './fields.js' */
 /** @import {Weights} from './weights.js' */
 
-/** @typedef {{weights: Weights, shading: Shading, camera: Camera}} TorusAddress `weights` of two functionals */
+/** @typedef {{weights: Weights, shading: Shading, camera: Camera}} TorusAddress `weights` has two functionals */
 
 /** @type {Field<Weights>} */
 const weights = {

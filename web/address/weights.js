@@ -7,11 +7,11 @@ import { numberIn } from './fields.js';
 
 /** @import {FunctionalName} from '../../wasm/types.js' */
 
-/** Those that are not named are 0. @typedef {Partial<Record<FunctionalName, number>>} Weights */
+/** Weights of functionals; those that are not named are 0. @typedef {Partial<Record<FunctionalName, number>>} Weights */
 
 export const weightsExpected = 'weights such as bending:1,mvs_cross:0.5';
 
-/** @param {string} text @returns {Weights | undefined} undefined unless one of them is above 0 */
+/** @param {string} text @returns {Weights | undefined} undefined unless some weight is positive */
 export function readWeights(text) {
   /** @type {Weights} */
   const weights = {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The two colour maps: curves in OKLab walked at constant speed, so that equal steps of a quantity are equal
- * steps for the eye.
+ * @file The two colour maps. They are curves in OKLab with equal distances between entries, so that equal steps of a
+ * quantity look like equal steps of colour.
  */
 import { distance, encode, fromLch, toLinearRgb } from './oklab.js';
 
@@ -9,12 +9,12 @@ import { distance, encode, fromLch, toLinearRgb } from './oklab.js';
 
 /** @typedef {'diverging' | 'sequential'} MapName */
 
-/** Entries of a map. */
+/** Number of entries of a map. */
 export const MAP_SIZE = 256;
 
 const FINE_STEPS = 2000;
 
-/** De Casteljau. @param {Triple[]} controls @param {number} t @returns {Triple} */
+/** A point of a Bézier curve, by De Casteljau's algorithm. @param {Triple[]} controls @param {number} t @returns {Triple} */
 function bezier(controls, t) {
   let points = controls;
   while (points.length > 1) {

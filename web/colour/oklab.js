@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file OKLab, the colour space in which distances are what the eye sees, and its way to sRGB (B. Ottosson 2020).
+ * @file The colour space OKLab, in which distances match perceived differences, and its conversion to sRGB (B. Ottosson
+ * 2020).
  */
 
 /** @typedef {[number, number, number]} Triple L, a, b or red, green, blue */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the surface can be shaded by: each quantity from the principal curvatures κ1 ≥ κ2, with its unit and its
- * colour map.
+ * @file The quantities that can colour a surface: each as a function of the principal curvatures κ1 ≥ κ2, with its unit
+ * and colour map.
  */
 
 /** @import {MapName} from './maps.js' */
@@ -17,7 +17,7 @@
  * @property {boolean} signed signed quantities have a range symmetric about 0
  * @property {MapName} map
  * @property {(kappa1: number, kappa2: number) => number} value
- * @property {string} glsl the same from `k.x` and `k.y`
+ * @property {string} glsl the same as `value`, in terms of `k.x` and `k.y`
  */
 
 /** @type {Quantity[]} */
@@ -83,7 +83,7 @@ export function quantityOf(shading) {
   return quantities.find((quantity) => quantity.shading === shading) ?? null;
 }
 
-/** Most values that a range is taken from; percentiles of so many are close enough. */
+/** Largest number of values from which a range is computed; the percentiles of this many are accurate enough. */
 const MAX_SAMPLES = 4096;
 
 /**

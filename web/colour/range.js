@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The range of values that a colour map spans: robust against the few extreme curvatures near extraordinary
- * vertices, with round ends, and calm while the surface moves.
+ * @file The range of values that a colour map spans. It ignores the few extreme curvatures near extraordinary vertices,
+ * has round ends, and changes rarely while the surface moves.
  */
 
 /** @typedef {{low: number, high: number, ticks: number[]}} Range */
 
-/** Fractions of the values below and above the range. */
+/** The fractions of the values that lie below the low end, and below the high end, of the range. */
 export const LOW_PERCENTILE = 0.02;
 export const HIGH_PERCENTILE = 0.98;
 
@@ -64,8 +64,8 @@ function symmetric(end) {
 }
 
 /**
- * `previous` while it still serves, so that a legend does not flicker: `next` neither exceeds it nor leaves much of
- * it unused.
+ * Keeps `previous` as long as it is good enough, so that the legend does not flicker: `next` must not exceed it, nor
+ * leave much of it unused.
  * @param {Range | null} previous
  * @param {Range} next
  * @returns {Range}
@@ -78,7 +78,7 @@ export function calmRange(previous, next) {
   return overshoot <= 0.02 && used >= 0.6 ? previous : next;
 }
 
-/** @param {Range} a @param {Range} b both round, so that equal ones are equal to the last digit */
+/** @param {Range} a @param {Range} b ends are round numbers, so they can be compared exactly */
 export function sameRange(a, b) {
   return a.low === b.low && a.high === b.high && a.ticks.length === b.ticks.length;
 }

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The catalog's files as the pages read them, in the schema in which `npm run catalog` writes them.
+ * @file Types and loading of the catalog's files, in the schema in which `npm run catalog` writes them.
  */
 
 /** @import {CertificateReport, FunctionalName, GeneratedCage, Group, LevelReport, LimitStatus, Options, Report} from '../../wasm/types.js' */
 
 /**
- * What is known of a minimizer. The energy of `converged` is extrapolated and has an error bar; that of `upper_bound` is a genuine
- * surface's; that of `zero_attained` and `infimum_not_attained` is the infimum itself.
+ * How the energy of an entry is known. `converged`: extrapolated, with an error bar. `upper_bound`: the energy of an
+ * actual surface. `zero_attained` and `infimum_not_attained`: the infimum itself. `none_found`: not known.
  * @typedef {'converged' | 'upper_bound' | 'zero_attained' | 'infimum_not_attained' | 'none_found'} EntryStatus
  */
 
-/** A column. @typedef {{name: string, weights: Partial<Record<FunctionalName, number>>}} CatalogFunctional */
+/** A column of the catalog. @typedef {{name: string, weights: Partial<Record<FunctionalName, number>>}} CatalogFunctional */
 
 /**
- * A row. `junctions` and `arms` of each junction are 0 where there are none.
+ * A row of the catalog. `junctions` and `arms` (per junction) are 0 if the shape has no junctions.
  * @typedef {{name: string, genus: number, junctions: number, arms: number, cage: GeneratedCage}} CatalogShape
  */
 
-/** Null where a quantity diverges. @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number | null> & {whole: boolean}} EntryEnergies */
+/** A quantity is null if it diverges. @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number | null> & {whole: boolean}} EntryEnergies */
 
 /** @typedef {Omit<LevelReport, 'energy_reported' | 'seconds'> & {energy_reported: number | null, seconds: null}} EntryLevel */
 
-/** `agrees`: null where one of the two has no error bar. @typedef {{family: string, energy: number | null, error: number | null, agrees: boolean | null, levels: EntryLevel[]}} SecondFamily */
+/** The result for the other family of cages. `agrees` is null if one of the two energies has no error bar. @typedef {{family: string, energy: number | null, error: number | null, agrees: boolean | null, levels: EntryLevel[]}} SecondFamily */
 
 /**
  * @typedef {object} CatalogEntry
@@ -31,28 +31,28 @@
  * @property {EntryStatus} status
  * @property {number | null} energy null if none was found
  * @property {number | null} error half-width of the error bar, if converged
- * @property {string} [reason] one sentence, where the status needs one
+ * @property {string} [reason] one sentence, for statuses that need one
  * @property {number | null} paper what the paper's Table 1 prints
- * @property {number | null} exact the infimum within the symmetry, where mathematics has it
+ * @property {number | null} exact the infimum among surfaces of this symmetry, if it is known in theory
  * @property {string} [exact_source]
  * @property {Group} group
  * @property {Required<Options>} settings
- * @property {EntryEnergies} energies of the last level's surface
+ * @property {EntryEnergies} energies energies of the last level's surface
  * @property {EntryLevel[]} levels
  * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null}} limit
  * @property {CertificateReport | null} certificate
- * @property {SecondFamily | null} second_family the same from other cages
- * @property {string | null} minimizer the file of its run's report, beside the catalog
- * @property {number} level of that surface, in Catmull-Clark steps from the cage
- * @property {number} faces of its control mesh
+ * @property {SecondFamily | null} second_family the result for the other family of cages
+ * @property {string | null} minimizer file name of the run's report, in the catalog's folder
+ * @property {number} level level of the minimizer, in Catmull-Clark steps from the cage
+ * @property {number} faces number of faces of the minimizer's control mesh
  */
 
-/** The same minimizer from a cage of another thickness. @typedef {{shape: string, functional: string, thickness: number, energy: number, level: number}} CatalogStart */
+/** The result of a run from a cage of another thickness. @typedef {{shape: string, functional: string, thickness: number, energy: number, level: number}} CatalogStart */
 
 /** @typedef {{version: string, functionals: CatalogFunctional[], shapes: CatalogShape[], entries: CatalogEntry[], starts: CatalogStart[]}} Catalog */
 
 /**
- * The address of a file of the catalog, for pages beside its folder.
+ * The address of a file of the catalog, relative to the pages.
  * @param {string} name "catalog.json", "two-3.bending.json", "pictures/two-3.bending.webp"
  */
 export function catalogAddress(name) {
@@ -69,7 +69,7 @@ async function load(name) {
 /** @returns {Promise<Catalog>} */
 export const loadCatalog = async () => (await load('catalog.json')).json();
 
-/** A report knows null only in the place of a number that is not finite. @param {string} text @returns {Report} */
+/** Parses a report. In its JSON text, null always stands for a number that is not finite. @param {string} text @returns {Report} */
 export const parseReport = (text) => JSON.parse(text, (_, value) => (value === null ? NaN : value));
 
 /** @param {string} name an entry's `minimizer` @returns {Promise<Report>} */

@@ -12,13 +12,13 @@ import { loadCatalog, loadReport } from './catalog.js';
 
 /**
  * @param {EntryName} name
- * @returns {Promise<{entry: CatalogEntry, report: Report} | {missing: string}>} `missing`: why there
- *   is none, in a sentence; never rejected
+ * @returns {Promise<{entry: CatalogEntry, report: Report} | {missing: string}>} `missing` is a
+ *   sentence that says why there is none; the promise is never rejected
  */
 export async function loadEntry(name) {
-  // Both at once: the file of a minimizer is called after its shape and functional.
+  // Loads both files at once: a minimizer's file is named after its shape and functional.
   const report = loadReport(`${entryName(name)}.json`);
-  report.catch(() => {}); // told below, unless there is no such entry
+  report.catch(() => {}); // handled below, unless the entry is missing anyway
   try {
     const found = findEntry(await loadCatalog(), name);
     return 'missing' in found ? found : { ...found, report: await report };

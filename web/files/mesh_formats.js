@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file A limit mesh as STL for printing and as GLB for showing. Brings three.js with it, so pages import it when it is asked for.
+ * @file Limit meshes as STL, for printing, and as GLB, for viewing. Imports three.js, so pages import this file only on
+ * demand.
  */
 import { BufferAttribute, BufferGeometry, Mesh as Model, MeshStandardMaterial } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
@@ -8,11 +9,11 @@ import { STLExporter } from 'three/addons/exporters/STLExporter.js';
 
 /** @import {Mesh} from '../../wasm/types.js' */
 
-/** The largest extent, in the formats' units: millimetres in STL, metres in GLB. */
+/** The largest extent of a model in the units of its format: millimetres in STL, metres in GLB. */
 export const STL_EXTENT = 100;
 export const GLB_EXTENT = 1;
 
-/** @param {Mesh} mesh @param {number} size the largest extent @returns {Model} about the origin */
+/** @param {Mesh} mesh @param {number} size the largest extent @returns {Model} centred at the origin */
 function model(mesh, size) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(mesh.positions.slice(), 3));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Hands a text or bytes to the browser as a file to save.
+ * @file Offers a text or bytes to the user as a file to save.
  */
 
 /**
@@ -14,6 +14,6 @@ export function saveFile(name, content, type) {
   link.href = url;
   link.download = name;
   link.click();
-  // The browser reads the object after this task.
+  // The browser reads the object only after this task, so its address must stay valid for a while.
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The chosen theme, kept from one visit to the next where the browser allows it.
+ * @file Stores the chosen theme between visits, if the browser allows it.
  */
 
 /** @typedef {'light' | 'dark' | 'system'} Theme */
@@ -22,6 +22,6 @@ export function storeTheme(theme) {
   try {
     localStorage.setItem(KEY, theme);
   } catch {
-    // Nothing is lost but the choice.
+    // Only the choice is lost.
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the pages of surfaces at rest have in common in their states: how the surfaces are looked at, and what the reader
- * is told. Pure.
+ * @file The state that all pages with fixed surfaces share: how the surfaces are viewed, and notices to the reader.
+ * Pure.
  */
 
 /** @import {Camera} from '../address/camera.js' */
@@ -11,10 +11,10 @@
 /**
  * @typedef {object} ViewState
  * @property {Shading} shading
- * @property {Camera} camera of all surfaces
- * @property {number} fits how often the view was asked to fit the surfaces
+ * @property {Camera} camera the common camera of all surfaces
+ * @property {number} fits how often the user asked to fit the surfaces into the view
  * @property {Theme} theme
- * @property {string[]} notices sentences that the reader has not dismissed
+ * @property {string[]} notices sentences that the user has not dismissed
  */
 
 /**

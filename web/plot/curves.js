@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The curves of plots; that of the convergence plot has one piece per level, and no more points than pixels can show.
+ * @file The curves of plots. The convergence plot's curve has one piece per level, and no more points than pixels.
  */
 
 /** @import {Sample} from '../state/types.js' */
@@ -9,7 +9,7 @@
 /** @typedef {{x: number, y: number, width: number, height: number}} Box */
 
 /**
- * Samples of one level each, in order.
+ * Splits samples into pieces of one level each, in order.
  * @param {Sample[]} samples
  * @returns {Sample[][]}
  */
@@ -25,7 +25,7 @@ export function pieces(samples) {
 }
 
 /**
- * At most about `limit` samples: the first, the last, and evenly picked ones between.
+ * Keeps at most about `limit` samples: the first, the last, and evenly picked ones between.
  * @param {Sample[]} samples
  * @param {number} limit >= 2
  * @returns {Sample[]}
@@ -37,7 +37,7 @@ export function thinned(samples, limit) {
 }
 
 /**
- * The SVG path of one quantity over the evaluations; a piece of one sample becomes a dot. Values that the scale
+ * The SVG path of one quantity over the evaluations. A piece with a single sample becomes a dot; values that the scale
  * cannot show leave gaps.
  * @param {Sample[][]} levels
  * @param {(sample: Sample) => number} value

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Axes: from a range of values to pixels, with round ticks.
+ * @file Axes: map a range of values to [0, 1], with round ticks.
  */
 
 /**
@@ -18,11 +18,11 @@ function niceStep(span, count) {
   return ([1, 2, 5].find((m) => m * power >= raw * (1 - 1e-9)) ?? 10) * power;
 }
 
-/** Values that differ by less, relative to them, have no ticks between them. */
+/** Values whose relative difference is smaller get no ticks between them. */
 const ROUND_OFF = 1e-10;
 
 /**
- * About `count` intervals; the domain ends at ticks when `closed`, and at the values otherwise.
+ * A linear scale with about `count` intervals. The domain ends at ticks if `closed`, else at the values.
  * @param {number} low
  * @param {number} high
  * @param {number} count
@@ -42,8 +42,8 @@ export function linearScale(low, high, count, closed) {
 }
 
 /**
- * From a round number (1, 2 or 5 times a power of ten) below the values to one above them; ticks at powers of ten, at most about
- * `count`, or more round numbers where there are few powers.
+ * A logarithmic scale. Its domain ends at round numbers (1, 2 or 5 times a power of ten) around the values. It has at
+ * most about `count` ticks, at powers of ten, or at more round numbers if there are few powers.
  * @param {number} low > 0
  * @param {number} high >= low
  * @param {number} count
@@ -65,11 +65,11 @@ export function logScale(low, high, count) {
   return { logarithmic: true, domain: [start, end], ticks, position: (value) => (Math.log(value) - a) / (b - a) };
 }
 
-/** The part of the energies, the highest ones, that may be above the plot. */
+/** The fraction of the energies, the highest ones, that may lie above the plot. */
 const UNSETTLED = 0.04;
 
 /**
- * The values without the few highest: energies fall steeply at first, and what follows would be a flat line below them.
+ * The values without the few highest. Energies fall steeply at first; with those values the rest would be a flat line.
  * @param {number[]} values
  */
 export function settled(values) {
@@ -77,13 +77,13 @@ export function settled(values) {
   return sorted.slice(0, Math.max(1, Math.ceil(sorted.length * (1 - UNSETTLED))));
 }
 
-/** A range this wide is easier to read by its powers. */
+/** From this ratio on, a range is easier to read on a logarithmic scale. */
 const WIDE = 12;
 
 /**
- * A scale for these values: logarithmic when asked, or when they span a wide range of one sign.
+ * A scale for these values: logarithmic if asked, or if they have one sign and span a wide range.
  * @param {number[]} values
- * @param {number} count of ticks
+ * @param {number} count about how many ticks
  * @param {boolean} preferLog
  * @returns {Scale}
  */

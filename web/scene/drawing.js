@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How the browser draws: with graphics hardware, slowly without, or not at all.
+ * @file Whether the browser draws with graphics hardware, slowly without it, or not at all.
  */
 
-/** What drivers without hardware call themselves. */
+/** Names of drivers without hardware. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 /** @returns {'fast' | 'slow' | 'never'} */

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The arrays of a mesh in the hands of three.js: reused while the mesh only moves, replaced when it has other
- * counts.
+ * @file Copies the arrays of a mesh into a three.js geometry. Reuses the buffers while only positions change, and
+ * replaces them when counts change.
  */
 import { BufferAttribute } from 'three';
 
 /** @import {BufferGeometry} from 'three' */
 /** @import {Mesh} from '../../wasm/types.js' */
 
-/** Curvatures near extraordinary vertices may be infinite; the graphics card cannot interpolate those. */
+/**
+ * Curvatures near extraordinary vertices may be infinite, which the graphics card cannot interpolate; this replaces
+ * them.
+ */
 const LARGEST = 1e12;
 
 /** @param {Float32Array} values changed in place */
@@ -53,7 +56,7 @@ function disposeIfChanged(geometry, vertices) {
 }
 
 /**
- * The limit surface: triangles with normals and curvatures.
+ * Sets the limit surface: triangles with normals and curvatures.
  * @param {BufferGeometry} geometry
  * @param {Mesh} mesh
  */
@@ -68,7 +71,7 @@ export function setSurface(geometry, mesh) {
 }
 
 /**
- * The control cage: its edges.
+ * Sets the control cage: its edges.
  * @param {BufferGeometry} geometry
  * @param {Mesh} mesh
  */
@@ -80,7 +83,7 @@ export function setEdges(geometry, mesh) {
 }
 
 /**
- * Centre of the bounding box and the radius about it that holds every vertex.
+ * Centre of the bounding box, and the largest distance of a vertex from it.
  * @param {Float32Array} positions
  * @returns {{centre: [number, number, number], radius: number}}
  */

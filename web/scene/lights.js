@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Light that reads form: a bright sky, a warm ground, and a key that stays at the viewer's upper left.
+ * @file The lights: a bright sky, a warm ground, and a key light at the viewer's upper left, so that the shape is easy
+ * to see.
  */
 import { DirectionalLight, Group, HemisphereLight } from 'three';
 
 /** @import {PerspectiveCamera, Scene} from 'three' */
 
-/** @param {Scene} scene @param {PerspectiveCamera} camera carries the key */
+/** @param {Scene} scene @param {PerspectiveCamera} camera carries the key light */
 export function addLights(scene, camera) {
   const sky = new HemisphereLight(0xffffff, 0xe2ddd6, 2.3);
   const rig = new Group();

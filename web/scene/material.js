@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The surface's material: a soft ceramic whose colour is read, for each vertex, from its principal curvatures
- * through a colour map.
+ * @file The surface's material: a soft ceramic, coloured per vertex from the principal curvatures through a colour map.
  */
 import { Color, DataTexture, DoubleSide, LinearFilter, MeshStandardMaterial, SRGBColorSpace } from 'three';
 import { MAP_SIZE, mapBytes } from '../colour/maps.js';
@@ -11,7 +10,7 @@ import { quantities } from '../colour/quantities.js';
 /** @import {Quantity} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
 
-/** Colour of the surface where it is not shaded by a quantity. */
+/** The surface's colour if no quantity colours it. */
 const PLAIN = new Color(0xd9d2c5);
 
 /** @param {MapName} name */
@@ -43,7 +42,7 @@ uniform vec2 range;
 varying float vQuantity;
 `;
 
-/** The map's texel centres run from 0.5 to MAP_SIZE - 0.5. */
+/** Maps [0, 1] to the map's texel centres, which run from 0.5 to MAP_SIZE - 0.5. */
 const FRAGMENT_COLOUR = `
 #include <color_fragment>
 if (which >= 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The camera in the viewer's hands: turned, moved and brought closer by mouse, fingers and keys, and told in the numbers of an
- * address when it has come to rest.
+ * @file Camera controls: mouse, touch and keys turn, move and zoom the camera. Reports its position in the numbers of
+ * an address when it comes to rest.
  */
 import { PerspectiveCamera } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -10,13 +10,16 @@ import { FIELD_OF_VIEW, cameraOf, fittingDistance, placementOf } from './placeme
 
 /** @import {Camera} from '../address/camera.js' */
 
-/** Milliseconds without a motion after which the camera rests. */
+/** The camera rests if it has not moved for this many milliseconds. */
 const REST = 200;
-/** How far before and behind the surface's centre there is something to see, in its radii: cages are larger than their surfaces. */
+/**
+ * Something may be visible up to this distance before and behind the surface's centre, in radii of the surface; cages
+ * are larger than their surfaces.
+ */
 const SEEN = 8;
 
 /**
- * @param {HTMLElement} element where it is moved
+ * @param {HTMLElement} element receives the mouse, touch and key events
  * @param {{moved: () => void, rested: (camera: Camera) => void}} listeners
  */
 export function createOrbit(element, { moved, rested }) {
@@ -24,7 +27,7 @@ export function createOrbit(element, { moved, rested }) {
   camera.position.copy(placementOf(firstCamera, camera.aspect).position);
   const controls = new OrbitControls(camera, element);
   controls.dampingFactor = 0.12;
-  let told = firstCamera;
+  let reported = firstCamera;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
 
@@ -35,7 +38,7 @@ export function createOrbit(element, { moved, rested }) {
     clearTimeout(timer);
     timer = setTimeout(() => {
       const resting = now();
-      if (!sameCamera(resting, told)) rested((told = resting));
+      if (!sameCamera(resting, reported)) rested((reported = resting));
     }, REST);
   });
 
@@ -63,15 +66,15 @@ export function createOrbit(element, { moved, rested }) {
 
     /** @param {Camera} next */
     set(next) {
-      if (next === told) return;
-      told = next;
+      if (next === reported) return;
+      reported = next;
       place(next);
     },
 
-    /** Brings the whole surface into the view, from where the camera is. */
+    /** Fits the surface into the view; keeps the camera's direction. */
     fit: () => place({ ...now(), distance: 1, target: firstCamera.target }),
 
-    /** A picture of another shape; what fits it stays fitted. @param {number} aspect width / height */
+    /** Sets the aspect ratio of the picture; a surface that fits it still does. @param {number} aspect width / height */
     resize(aspect) {
       if (aspect === camera.aspect) return;
       const kept = now();
@@ -79,7 +82,7 @@ export function createOrbit(element, { moved, rested }) {
       place(kept);
     },
 
-    /** Before each picture: how near and how far there is something to see. */
+    /** Sets the near and far planes; call before each picture. */
     focus() {
       const distance = camera.position.length();
       camera.near = Math.max(distance - SEEN, distance / 200);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file When frames are drawn: on request only, one for many requests, and for no more than half of the time, so that the
- * page answers also where drawing is slow.
+ * @file Decides when frames are drawn: only on request, one for many requests, and for at most half of the time, so
+ * that the page stays responsive even if drawing is slow.
  */
 
-/** Milliseconds that a frame may take without a pause after it. */
+/** A frame that takes at most this many milliseconds needs no pause after it. */
 const QUICK = 20;
-/** Frames that take longer cannot show a motion. */
+/** Frames that take longer (milliseconds) cannot show motion smoothly. */
 const SLOW = 80;
 
 /**
  * @param {() => void} draw may request the next frame
- * @param {() => void} [drawn] is called once the browser has done its part
+ * @param {() => void} [drawn] called once the browser has finished the frame
  * @returns {{request: () => void, isSlow: () => boolean, dispose: () => void}}
  */
 export function createPace(draw, drawn = () => {}) {
@@ -22,7 +22,7 @@ export function createPace(draw, drawn = () => {}) {
   let cost = 0;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let pause;
-  // What the browser does for a frame after `draw` returns delays this message, so it tells what the frame has cost.
+  // The browser's work for a frame after `draw` returns delays this message, so its arrival shows what the frame cost.
   const channel = new MessageChannel();
   channel.port1.onmessage = () => {
     cost = performance.now() - start;

@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Puts pictures on a canvas when they are asked for and at no other time: one renderer, as fine as the machine is fast, and once
- * more finely after a rest where it is slow.
+ * @file Draws on a canvas, only when asked: one renderer whose resolution fits the machine's speed. On a slow machine
+ * it draws again at full resolution after a rest.
  */
 import { NeutralToneMapping, WebGLRenderer } from 'three';
 import { createPace } from './pace.js';
 
-/** More pixels than this per CSS pixel cost time and are not seen. */
+/** More pixels per CSS pixel than this cost time without a visible gain. */
 const MAX_PIXEL_RATIO = 2;
-/** Milliseconds of rest after which a slow machine draws once more, finely. */
+/** Milliseconds of rest after which a slow machine draws once more at full resolution. */
 const REFINE_AFTER = 350;
 
 /**
  * @param {HTMLCanvasElement} canvas fills its parent; its `data-picture` is `old`, `coarse` or `fine`
  * @param {object} options
  * @param {boolean} options.slow drawn without graphics hardware
- * @param {(renderer: WebGLRenderer) => void} options.draw the whole picture
- * @param {(width: number, height: number) => void} options.resized in CSS pixels, before the picture of that size is drawn
+ * @param {(renderer: WebGLRenderer) => void} options.draw draws a picture
+ * @param {(width: number, height: number) => void} options.resized called with CSS pixels before the first picture of a
+ *   new size
  * @param {() => void} [options.prepare] before each requested picture; may request the next one
  * @param {() => void} [options.drawn] after each requested picture
  */
 export function createPainter(canvas, { slow, draw, resized, prepare = () => {}, drawn }) {
   const renderer = new WebGLRenderer({ canvas, antialias: !slow, alpha: true, powerPreference: 'high-performance' });
-  // The driver's words on a shader are waited for.
+  // Skips checks that would wait for the driver's report on each shader.
   renderer.debug.checkShaderErrors = false;
   renderer.toneMapping = NeutralToneMapping;
   const pixelRatio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
@@ -63,7 +64,7 @@ export function createPainter(canvas, { slow, draw, resized, prepare = () => {},
     if (!clientWidth || !clientHeight) return;
     renderer.setSize(clientWidth, clientHeight, false);
     resized(clientWidth, clientHeight);
-    // At once: a canvas that has been resized is blank until it is drawn.
+    // Draws at once, because resizing a canvas clears it.
     paint();
     if (canvas.dataset.picture !== 'fine') return;
     canvas.dataset.picture = slow ? 'coarse' : 'fine';
@@ -76,7 +77,7 @@ export function createPainter(canvas, { slow, draw, resized, prepare = () => {},
 
   return {
     request,
-    /** Draws without being asked, so that shaders are there when the first picture is. */
+    /** Draws without a request, so that the shaders are compiled before the first picture. */
     rehearse: () => draw(renderer),
     /** Whether pictures take too long to show a motion. */
     isSlow: () => slow || pace.isSlow(),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Several surfaces side by side on one canvas, seen by one camera: to turn one is to turn all. Draws when something has changed and
- * at no other time.
+ * @file Several surfaces side by side on one canvas, with a common camera: turning one turns all. Draws only when
+ * something has changed.
  */
 import { BufferGeometry, Mesh, Scene } from 'three';
 import { extent, setSurface } from './geometry.js';
@@ -17,14 +17,14 @@ import { createStand } from './stand.js';
 /** @import {Range} from '../colour/range.js' */
 /** @import {Extent} from './stand.js' */
 
-/** A surface, if it is there, and the element above whose place on the canvas it is drawn. @typedef {{mesh: core.Mesh | null, place: Element}} Pane */
+/** A surface, null until it is loaded, and the element that marks where it is drawn on the canvas. @typedef {{mesh: core.Mesh | null, place: Element}} Pane */
 
 /**
- * @param {HTMLCanvasElement} canvas fills its parent, which holds the places
+ * @param {HTMLCanvasElement} canvas fills its parent, which contains the elements of the panes
  * @param {object} options
- * @param {boolean} options.calm without inertia
+ * @param {boolean} options.calm no inertia
  * @param {boolean} options.slow drawn without graphics hardware
- * @param {(camera: Camera) => void} options.rested is called when the camera has been moved
+ * @param {(camera: Camera) => void} options.rested called when the user has moved the camera
  */
 export function createPanes(canvas, { calm, slow, rested }) {
   const scene = new Scene();
@@ -33,7 +33,7 @@ export function createPanes(canvas, { calm, slow, rested }) {
   addLights(scene, camera);
   const surfaceMaterial = createSurfaceMaterial();
   const stand = createStand();
-  stand.setUp('z'); // Generated shapes stand on the axis of their symmetry.
+  stand.setUp('z'); // the symmetry axis of generated shapes
   scene.add(stand.object);
 
   /** @type {Array<Pane & {surface: Mesh | null, extent: Extent | null}>} */
@@ -41,9 +41,9 @@ export function createPanes(canvas, { calm, slow, rested }) {
 
   /** Where a pane is on the canvas, in CSS pixels, from its bottom left corner. @param {Pane} pane */
   function boxOf({ place }) {
-    const whole = canvas.getBoundingClientRect();
+    const frame = canvas.getBoundingClientRect();
     const { left, bottom, width, height } = place.getBoundingClientRect();
-    return { left: left - whole.left, bottom: whole.bottom - bottom, width, height };
+    return { left: left - frame.left, bottom: frame.bottom - bottom, width, height };
   }
 
   const painter = createPainter(canvas, {
@@ -72,14 +72,14 @@ export function createPanes(canvas, { calm, slow, rested }) {
     resized: measure,
   });
 
-  /** All places have one shape. */
+  /** All panes have the same size. */
   function measure() {
     if (!panes.length) return;
     const { width, height } = boxOf(panes[0]);
     if (width && height) orbit.resize(width / height);
   }
 
-  /** The radius of the largest surface: all are drawn on its scale. */
+  /** The radius of the largest surface, which sets the scale of all. */
   const largest = () => Math.max(...panes.map((pane) => pane.extent?.radius ?? 0));
 
   return {
@@ -87,10 +87,10 @@ export function createPanes(canvas, { calm, slow, rested }) {
     /** Moves the camera so that the largest surface fills its view. */
     fit: () => orbit.fit(),
 
-    /** Where all are looked at from. @param {Camera} next */
+    /** Sets the common camera. @param {Camera} next */
     setCamera: (next) => orbit.set(next),
 
-    /** Surfaces in their order; the camera stays where it is for the size of the largest. @param {Pane[]} next */
+    /** Sets the surfaces, in order. The camera keeps its distance relative to the largest one. @param {Pane[]} next */
     setPanes(next) {
       const before = panes;
       panes = next.map(({ mesh, place }) => {

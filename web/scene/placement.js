@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Where a perspective camera stands for the numbers of an address, and the numbers for where it stands, in a world whose y points
- * up on the screen and where a surface of radius 1 stands about the origin.
+ * @file Converts the camera numbers of an address to a position in the world and back. In the world, y points up on the
+ * screen and the surface lies about the origin with radius 1.
  */
 import { MathUtils, Vector3 } from 'three';
 import { roundCamera } from '../address/camera.js';
 
 /** @import {Camera} from '../address/camera.js' */
 
-/** Degrees, from the bottom of the picture to its top. */
+/** Vertical field of view in degrees. */
 export const FIELD_OF_VIEW = 28;
-/** Free room around a surface that fits, as a factor of its radius. */
+/** Factor of the radius that leaves some room around a surface that fits the view. */
 const FIT_MARGIN = 1.16;
 
-/** Radians from the axis that a camera on it keeps, so that it does not lose its azimuth. */
+/** Smallest angle between the camera and the axis, in radians; on the axis the azimuth would be lost. */
 const OFF_AXIS = 1e-4;
 
 /**

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The three.js scene: surface, control cage, light and camera. Draws when something has changed and at no other
- * time.
+ * @file The three.js scene: surface, control cage, light and camera. Draws only when something has changed.
  */
 import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, Scene } from 'three';
 import { extent, setEdges, setSurface } from './geometry.js';
@@ -16,11 +15,11 @@ import { createStand } from './stand.js';
 /** @import {Quantity} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
 
-/** The surface stands this part of the height above the middle, clear of the legend. */
+/** The surface is raised above the middle by this fraction of the height, clear of the legend. */
 const RAISE = 0.035;
 
 /**
- * The cage's edges, plain where they are seen and faint where the surface hides them.
+ * The cage's edges: plain where visible, faint where the surface hides them.
  * @param {BufferGeometry} geometry
  */
 function createCageLines(geometry) {
@@ -35,10 +34,10 @@ function createCageLines(geometry) {
 /**
  * @param {HTMLCanvasElement} canvas fills its parent
  * @param {object} options
- * @param {boolean} options.calm without inertia
+ * @param {boolean} options.calm no inertia
  * @param {boolean} options.slow drawn without graphics hardware
- * @param {(camera: Camera) => void} options.rested is called when the camera has been moved
- * @param {() => void} [options.drawn] is called after each picture
+ * @param {(camera: Camera) => void} options.rested called when the user has moved the camera
+ * @param {() => void} [options.drawn] called after each picture
  */
 export function createScene(canvas, { calm, slow, rested, drawn }) {
   const scene = new Scene();
@@ -62,7 +61,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     slow,
     drawn,
     prepare() {
-      // With inertia the update asks for the next frame itself, until it has come to rest; slow frames would make that long.
+      // With inertia, each update requests the next frame until the motion ends; with slow frames that would take long.
       controls.enableDamping = !calm && !painter.isSlow();
       controls.update();
     },
@@ -77,7 +76,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     },
   });
 
-  /** Where the surface's positions are measured from. @type {Float64Array} */
+  /** Origin of the surface's positions, in the cage's coordinates. @type {Float64Array} */
   let origin = new Float64Array(3);
 
   rehearse();
@@ -86,7 +85,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     if (surface.visible) painter.request();
   }
 
-  /** Draws a triangle without size as the surface will be drawn. */
+  /** Draws a triangle of zero size with the surface's material, so that its shaders are compiled early. */
   function rehearse() {
     const sizes = { positions: 9, normals: 9, curvatures: 6 };
     const arrays = Object.entries(sizes).map(([name, size]) => [name, new Float32Array(size)]);
@@ -101,7 +100,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     controls,
     requestRender,
 
-    /** Where the surface is looked at from. @param {Camera} next */
+    /** Sets the camera. @param {Camera} next */
     setCamera: (next) => orbit.set(next),
 
     /**
@@ -122,7 +121,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       requestRender();
     },
 
-    /** That of the surface which was set last. @param {core.Mesh} mesh */
+    /** Sets the control cage of the surface that was set last. @param {core.Mesh} mesh */
     setCage(mesh) {
       setEdges(cageGeometry, mesh);
       const [x, y, z] = mesh.centre.map((value, axis) => value - origin[axis]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Where a surface stands in the world: about the origin and of radius 1, wherever its file has put it and however large it is.
- * Cameras and addresses count from the origin, in radii, and need to know neither.
+ * @file Places a surface in the world, centred at the origin with radius 1, whatever its own position and size. Cameras
+ * and addresses count in this unit, from the origin, and need to know neither.
  */
 import { Group } from 'three';
 
@@ -13,11 +13,11 @@ import { Group } from 'three';
  */
 
 export function createStand() {
-  const turned = new Group(); // about the origin
-  const model = new Group(); // what has the mesh's own coordinates
+  const turned = new Group(); // turns its content about the origin
+  const model = new Group(); // its content is in the mesh's own coordinates
   turned.add(model);
   return {
-    /** To be put into the scene. */
+    /** The object to add to the scene. */
     object: turned,
     model,
 
@@ -27,8 +27,8 @@ export function createStand() {
     },
 
     /**
-     * Energies depend on neither size nor place, so both drift while they are minimized: told each time that the surface has changed,
-     * the picture keeps them.
+     * Keeps the surface in place. Energies do not depend on size and position, so both drift during a run; call this
+     * each time that the surface has changed.
      * @param {Extent} extent
      */
     centre({ centre, radius }) {

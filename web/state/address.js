@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The studio's address and its state: what an address asks for, and the address of what is on the screen. Pure.
+ * @file Converts between the studio's address and its state. Pure.
  */
 import { parseStudioAddress } from '../address/studio.js';
 import { functionals } from '../words/functionals.js';
@@ -13,8 +13,8 @@ import { activeWeights, defaultSettings } from './settings.js';
 
 /**
  * @param {StudioAddress} address
- * @param {Settings} settings where it says nothing
- * @returns {{settings: Settings, wanted: EntryName | null, notices: string[]}} `wanted`: an entry of the catalog
+ * @param {Settings} settings defaults for what the address does not say
+ * @returns {{settings: Settings, wanted: EntryName | null, notices: string[]}} `wanted` is the catalog entry to open
  */
 export function whatIsAsked(address, settings) {
   const { shape, functional, start, weights, cap, symmetry, levels } = address;
@@ -33,7 +33,7 @@ export function whatIsAsked(address, settings) {
 }
 
 /**
- * The address that opens what is on the screen. A file's cage is in none.
+ * The address that opens what is on the screen. It cannot name a cage from a file.
  * @param {State} state
  * @returns {StudioAddress}
  */

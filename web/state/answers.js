@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the worker's messages, and its loss, make of the page's state. Pure. Messages about runs that are no
- * longer shown change nothing.
+ * @file How the worker's messages, and the loss of a worker, change the studio's state. Pure. Messages about runs that
+ * are no longer shown change nothing.
  */
 import { SAMPLE_SIZE } from '../worker/protocol.js';
-import { whole } from '../words/numbers.js';
+import { integer } from '../words/numbers.js';
 import { afterEntryOpened, endedWith, openWithout, showsEntry } from './entry.js';
 import { beginOpening, firstGenerator, openGenerated } from './opening.js';
 import { settingsFrom, sourceOf } from './settings.js';
@@ -137,7 +137,7 @@ function afterOpened(state, opening, message) {
     saved: null,
     latest: null,
     fitDue: true,
-    // What was wrong with the address is still to be read.
+    // A notice about the address must stay visible when the first cage opens.
     alert: state.cage ? null : state.alert,
   };
   if (source.kind === 'problem') return afterFileOpened(shown, source.name, message);
@@ -145,7 +145,7 @@ function afterOpened(state, opening, message) {
 }
 
 /**
- * The file of a problem, which brings its settings; or of a report, which is the end of its run.
+ * Opens a file. A problem brings its settings; a report is shown as the end of its run.
  * @param {State} shown
  * @param {string} fileName
  * @param {Opened} message
@@ -164,7 +164,7 @@ function afterFileOpened(shown, fileName, { cage: counts, asked, report }) {
   return { ...endedWith(opened, report), settings: { ...settings, origin: 'surface' } };
 }
 
-/** The core begins with the name of the file as well. @param {string} name @param {string} message */
+/** The notice for a file that cannot be opened. The core's message may begin with the file's name too. @param {string} name @param {string} message */
 function notOpened(name, message) {
   const title = `${name} was not opened`;
   return { title, message: message.startsWith(`${name}: `) ? message.slice(name.length + 2) : message };
@@ -183,10 +183,10 @@ function afterFailed(state, run, message) {
   if (opening.purpose === 'entry') return openWithout(closed, message);
   if (opening.purpose === 'cage') {
     /** @type {State} */
-    const told = { ...closed, alert: notOpened(opening.source.name, message) };
-    // An address may name a shape that there is not; there is always one to begin with.
+    const withAlert = { ...closed, alert: notOpened(opening.source.name, message) };
+    // If the address names a shape that does not exist, opens the default shape instead.
     const nothing = !state.cage && opening.source.name !== firstGenerator.name;
-    return nothing ? openGenerated({ ...told, status: state.status, generator: firstGenerator }) : told;
+    return nothing ? openGenerated({ ...withAlert, status: state.status, generator: firstGenerator }) : withAlert;
   }
   return { ...closed, settings: state.runSettings, alert: { title: 'These settings cannot be used', message } };
 }
@@ -200,7 +200,7 @@ const lossTitles = {
 };
 
 /**
- * The worker has been replaced by one that knows nothing. What the page holds stays, and is opened again.
+ * The worker has been replaced by a new one without any run. The page keeps its data, and opens its surface again.
  * @param {State} state
  * @param {Loss} loss
  * @param {string} detail
@@ -222,8 +222,8 @@ export function afterLoss(state, loss, detail) {
 }
 
 /**
- * What has been computed stays; only the certificate is gone, for which the worker was given up where nothing else ends
- * it.
+ * Keeps the computed surface; only the certificate is lost. (A worker is also replaced to abandon a certificate in a
+ * step that cannot be interrupted.)
  * @param {State} state
  * @param {State} idle
  * @param {string} detail
@@ -250,7 +250,7 @@ function afterRun(state, idle, title, detail) {
   const started = state.samples.length > 0 || state.status === 'running';
   const kept =
     started && state.saved
-      ? `The surface after ${whole(state.saved.evaluations)} evaluations is kept; Start goes on from it.`
+      ? `The surface after ${integer(state.saved.evaluations)} evaluations is kept; Start goes on from it.`
       : '';
   const message = [detail, kept].filter(Boolean).join(' ') || 'What was there before is kept.';
   return {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file A minimizer of the catalog as the studio shows it: found by its names, opened as the end of a run that need not be run.
+ * @file How the studio shows a minimizer of the catalog: found by its names, opened as the end of a run.
  */
 import { beginOpening, openGenerated } from './opening.js';
 import { settingsFrom, sourceOf } from './settings.js';
@@ -12,7 +12,7 @@ import { settingsFrom, sourceOf } from './settings.js';
 /**
  * @param {Catalog} catalog
  * @param {EntryName} name
- * @returns {{entry: CatalogEntry} | {missing: string}} `missing`: why there is none, in a sentence
+ * @returns {{entry: CatalogEntry} | {missing: string}} `missing` is a sentence that says why there is none
  */
 export function findEntry({ shapes, functionals, entries }, { shape, functional }) {
   if (!shapes.some(({ name }) => name === shape)) return { missing: `The catalog has no shape “${shape}”.` };
@@ -25,7 +25,7 @@ export function findEntry({ shapes, functionals, entries }, { shape, functional 
 }
 
 /**
- * The entry is there: its surface is opened.
+ * Opens the surface of an entry that has been loaded.
  * @param {State} state
  * @param {Extract<Action, {type: 'entryLoaded'}>} action
  * @returns {State}
@@ -46,7 +46,7 @@ export function openEntry(state, { name, entry, report }) {
 }
 
 /**
- * There is no such minimizer, or it cannot be opened: its cage, and why.
+ * Opens the cage, with a notice, if the minimizer does not exist or cannot be opened.
  * @param {State} state
  * @param {string} message
  * @returns {State}
@@ -56,7 +56,7 @@ export function openWithout(state, message) {
 }
 
 /**
- * What opening has made of a surface is the end of the run that the catalog tells of.
+ * Shows the opened surface as the end of the run that the catalog describes.
  * @param {State} opened
  * @param {CatalogEntry} entry
  * @param {Outcome} report
@@ -75,7 +75,7 @@ export function afterEntryOpened(opened, entry, report) {
 }
 
 /**
- * The end of the run that a report tells of.
+ * Shows the end of the run that a report describes.
  * @param {State} opened
  * @param {Outcome} report
  * @returns {State}

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How a cage or a surface begins to be opened: under a new run number, with the settings of now.
+ * @file How opening a cage or a surface begins: under a new run number, with the current settings.
  */
 
 /** @import {Generator, Opening, State} from './types.js' */
 
-/** What the studio opens when nobody says what. @type {Generator} */
+/** The shape that the studio opens by default. @type {Generator} */
 export const firstGenerator = { name: 'two-3', family: 'flag', thickness: 1 };
 
 /**
@@ -19,7 +19,7 @@ export function beginOpening(state, opening) {
   return { ...state, lastRun: run, wanted: null, opening: { ...opening, run, settings: state.settings } };
 }
 
-/** The generator's cage. @param {State} state @returns {State} */
+/** Begins to open the generator's cage. @param {State} state @returns {State} */
 export function openGenerated(state) {
   const source = /** @type {const} */ ({ kind: 'generated', ...state.generator });
   return beginOpening(state, { source, purpose: 'cage', then: 'hold', start: null });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The page's state at the start, and what the user's actions make of it. Pure; what must be sent or saved is in
- * effects.js.
+ * @file The studio's initial state and reducer. Pure; sending and saving are in effects.js.
  */
 import { parseStudioAddress } from '../address/studio.js';
 import { whatIsAsked } from './address.js';
@@ -14,7 +13,7 @@ import { changeSettings, defaultSettings, problemWith } from './settings.js';
 /** @import {Action, State} from './types.js' */
 
 /**
- * The studio opens what its address says: a minimizer of the catalog, or a generated cage.
+ * The initial state opens what the address names: a minimizer of the catalog, or a generated cage.
  * @param {State['view']['theme']} [theme]
  * @param {{address: StudioAddress, notices: string[]}} [said]
  * @returns {State}
@@ -60,10 +59,10 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
   return wanted ? blank : openGenerated(blank);
 }
 
-/** Whether a file is a problem or a report, which begin with a brace. @param {Uint8Array} text */
+/** Whether a file is a problem or a report, not a cage: JSON begins with a brace. @param {Uint8Array} text */
 const isJson = (text) => /^[ \t\r\n]*\{/.test(new TextDecoder('latin1').decode(text.subarray(0, 1000)));
 
-/** The cage as it was opened, with the settings of now. @param {State} state @returns {State} */
+/** Opens the cage again with the current settings. @param {State} state @returns {State} */
 function openPreview(state) {
   const pending = state.opening?.purpose === 'cage' ? state.opening : null;
   const source = pending?.source ?? state.cage?.source;
@@ -71,23 +70,23 @@ function openPreview(state) {
   return beginOpening(state, { source, purpose: pending?.purpose ?? 'preview', then: 'hold', start: null });
 }
 
-/** Whether settings may be changed: not under a run that uses them. @param {State} state */
+/** Whether settings may be changed: not while a run uses them. @param {State} state */
 export function settingsAreFree(state) {
   return state.status === 'resting' || state.status === 'ended' || state.status === 'loading';
 }
 
-/** Whether the next run goes on from the surface. @param {State} state */
+/** Whether the next run starts from the current surface. @param {State} state */
 export function startsFromSurface(state) {
   return state.status === 'ended' && state.settings.origin === 'surface' && state.saved !== null;
 }
 
-/** Whether there is a surface at rest that a run has ended with, and no certificate of it yet. @param {State} state */
+/** Whether a run has ended with a surface that has no certificate yet. @param {State} state */
 export function canBeCertified({ status, opening, certifying, certificate }) {
   return status === 'ended' && !opening && !certifying && !certificate;
 }
 
 /**
- * Start, resume or one step: on the run that is there, on the one being opened, or on a new one.
+ * Starts, resumes or makes one step: of the current run, of the one being opened, or of a new one.
  * @param {State} state
  * @param {'run' | 'step'} then
  * @returns {State}
@@ -107,7 +106,7 @@ function go(state, then) {
   return beginOpening(state, { source: state.cage.source, purpose: 'start', then, start: null });
 }
 
-/** From the cage, with the settings that led to the catalog's minimizer. @param {State} state @returns {State} */
+/** Minimizes again from the cage, with the settings of the catalog's run. @param {State} state @returns {State} */
 function again(state) {
   const { minimizer, cage } = state;
   if (!minimizer || !cage || !settingsAreFree(state) || state.opening) return state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the views read off the state: which buttons work, and what is going on in words.
+ * @file What the views derive from the state: which buttons work, and the status in words.
  */
 import { cageWords } from '../words/cages.js';
 import { functionalWords, stopWords } from '../words/functionals.js';
@@ -15,7 +15,7 @@ import { activeWeights, problemWith } from './settings.js';
 /** @typedef {{label: string, action: Action['type'], enabled: boolean}} Button */
 
 /**
- * The run's buttons. The first one starts, pauses and resumes.
+ * The run's buttons. The first one starts, pauses or resumes.
  * @param {State} state
  * @returns {{primary: Button, step: Button, cancel: Button, reset: Button}}
  */
@@ -45,7 +45,7 @@ export function runButtons(state) {
 }
 
 /**
- * The certificate's button, which begins it and cancels it.
+ * The certificate's button, which begins or cancels it.
  * @param {State} state
  * @returns {Button}
  */
@@ -56,7 +56,7 @@ export function certificateButton(state) {
 }
 
 /**
- * What goes on, in a sentence that changes only when something begins or ends.
+ * The current activity, in a sentence that changes only when something begins or ends.
  * @param {State} state
  */
 export function statusSentence(state) {
@@ -94,7 +94,7 @@ export function objectiveName(settings) {
 }
 
 /**
- * The objective's value: the weighted sum of the energies; NaN when a part of it diverges.
+ * The value of the objective: the weighted sum of energies; NaN if one of them diverges.
  * @param {Settings} settings
  * @param {Energies} energies
  */

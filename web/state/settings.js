@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the user asks for: defaults, what is wrong with it, and the problem that it amounts to.
+ * @file The user's settings: their defaults, what is wrong with them, and the problem that they define.
  */
 
 /** @import {CageInput, FunctionalName, Problem, SurfaceState} from '../../wasm/types.js' */
 /** @import {Settings, Source} from './types.js' */
 
-/** Most levels that the page offers; each is four times the patches of the one before. */
+/** The largest level that the page offers. Each level has four times as many patches as the one before. */
 export const MAX_LEVEL = 6;
 
 /** @type {Settings} */
@@ -22,7 +22,7 @@ export const defaultSettings = {
 };
 
 /**
- * The settings with a change. When one end of the levels passes the other, it takes it along.
+ * Changes settings. If the first level exceeds the last or vice versa, the other one follows.
  * @param {Settings} settings
  * @param {Partial<Settings>} change
  * @returns {Settings}
@@ -35,7 +35,7 @@ export function changeSettings(settings, change) {
 }
 
 /**
- * Weights of the six functionals that are not zero.
+ * The weights of the functionals, without those that are zero.
  * @param {Settings} settings
  * @returns {Partial<Record<FunctionalName, number>>}
  */
@@ -45,7 +45,7 @@ export function activeWeights({ functional, weights }) {
 }
 
 /**
- * Why nothing can be minimized with these settings, in words; null when it can.
+ * Says why these settings cannot be minimized; null if they can.
  * @param {Settings} settings
  * @returns {string | null}
  */
@@ -62,11 +62,11 @@ export function problemWith(settings) {
 }
 
 /**
- * The problem that a run answers. Levels before that of `start` are behind it.
+ * The problem of a run. Levels below that of `start` are left out.
  * @param {Source} source
  * @param {Settings} settings
  * @param {SurfaceState | null} start
- * @returns {Problem | string} a file's own text where that is a problem
+ * @returns {Problem | string} the file's own text if the source is a problem
  */
 export function problemOf(source, settings, start) {
   if (source.kind === 'problem') return new TextDecoder().decode(source.text);
@@ -79,7 +79,7 @@ export function problemOf(source, settings, start) {
   };
 }
 
-/** Those that there are. @template {object} T @param {T} parameters @returns {Partial<T>} */
+/** Leaves out undefined parameters. @template {object} T @param {T} parameters @returns {Partial<T>} */
 const given = (parameters) =>
   /** @type {Partial<T>} */ (Object.fromEntries(Object.entries(parameters).filter(([, value]) => value !== undefined)));
 
@@ -91,7 +91,7 @@ function cageOf(source) {
 }
 
 /**
- * Where a problem's cage comes from; `name` is what the file is called that it stands in.
+ * The source of a problem's cage; `name` is the name of the problem's file.
  * @param {CageInput} cage
  * @param {string} name
  * @returns {Exclude<Source, {kind: 'problem'}>}
@@ -103,7 +103,7 @@ export function sourceOf(cage, name) {
 }
 
 /**
- * The settings with which the page asks a problem.
+ * The page's settings for a problem.
  * @param {Settings} settings
  * @param {Pick<Problem, 'terms' | 'options'>} problem
  * @returns {Settings}

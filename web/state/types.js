@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The types of the page's one state object and of the actions that change it; nothing here runs.
+ * @file The types of the studio's state and actions; no code.
  */
 
 /** @import {CageReport, CapName, CertificateReport, Energies, FunctionalName} from '../../wasm/types.js' */
@@ -13,21 +13,21 @@
 /** @import {Loss} from '../worker/client.js' */
 
 /**
- * What the user asks for. `functional` 'blend' means the weights.
+ * The user's settings. With `functional` 'blend' the weights hold.
  * @typedef {object} Settings
  * @property {FunctionalName | 'blend'} functional
  * @property {Record<FunctionalName, number>} weights
  * @property {CapName} cap
- * @property {boolean} symmetry whether the surface keeps the cage's
+ * @property {boolean} symmetry whether the surface keeps the symmetry of the cage
  * @property {[number, number]} levels Catmull-Clark steps from the cage
  * @property {number} tolerance
  * @property {number} max_iterations per level
- * @property {'cage' | 'surface'} origin where the next run starts from, once there is a surface to go on from
+ * @property {'cage' | 'surface'} origin where the next run starts, once there is a surface
  */
 
 /**
- * Where a cage comes from: a generator's name and parameters; the text of an OBJ or OFF file; or the file of a problem or
- * a report, as long as nobody has read it.
+ * The source of a cage: a generator's name and parameters; the text of an OBJ or OFF file; or the file of a problem or
+ * a report that has not been parsed yet.
  * @typedef {{name: string, family: 'hub' | 'flag', thickness: number}} Generator
  * @typedef {{kind: 'generated'} & Generator & Omit<GeneratedCage, 'generator'>} Generated
  * @typedef {{kind: 'text', name: string, text: string | Uint8Array}} FileText
@@ -41,13 +41,13 @@
  * @typedef {object} Opening
  * @property {number} run
  * @property {Source} source
- * @property {Settings} settings as they were when it began
- * @property {'cage' | 'preview' | 'start' | 'recovery' | 'entry'} purpose a new cage; the same with other settings; a new run;
- *   back after the worker was lost; a minimizer of the catalog
+ * @property {Settings} settings the settings when opening began
+ * @property {'cage' | 'preview' | 'start' | 'recovery' | 'entry'} purpose a new cage; the same cage with other
+ *   settings; a new run; the surface again after the worker was lost; a minimizer of the catalog
  * @property {'hold' | 'run' | 'step'} then
- * @property {SurfaceState | null} start where the run goes on, instead of beginning with the cage
- * @property {CatalogEntry} [entry] that is opened
- * @property {Report} [report] its
+ * @property {SurfaceState | null} start the surface from which the run starts; null for the cage's
+ * @property {CatalogEntry} [entry] the catalog entry that is opened
+ * @property {Report} [report] the report of this entry
  */
 
 /**
@@ -59,58 +59,59 @@
 
 /** The surface on the screen. @typedef {{limit: Mesh, control: Mesh, evaluations: number}} Surface */
 
-/** The surface in safe keeping. @typedef {{state: SurfaceState, evaluations: number}} SavedSurface */
+/** A copy of the surface, in case the worker is lost. @typedef {{state: SurfaceState, evaluations: number}} SavedSurface */
 
 /**
- * A certificate that the worker is making: how much of it is done, and whether it was asked to abandon it.
+ * A certificate that the worker is computing: its progress, and whether the page asked to abandon it.
  * @typedef {{progress: number, abandoning: boolean}} Certifying
  */
 
-/** What a run has ended in. @typedef {Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate'>} Outcome */
+/** The result of a run. @typedef {Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate'>} Outcome */
 
 /**
- * A minimizer of the catalog: what a run of these settings ends in, and the number under which it was opened.
+ * A minimizer of the catalog: its entry, the settings of its run, and the run number under which it was opened.
  * @typedef {{entry: CatalogEntry, settings: Settings, run: number}} OpenEntry
  */
 
 /** @typedef {{title: string, message: string}} Alert */
 
 /**
- * `loading`: the core is not there yet. `resting`: the cage's own surface. `paused` and `ended`: a run's.
+ * `loading`: the core is being loaded. `resting`: shows the surface of the cage. `paused` and `ended`: shows that of a
+ * run.
  * @typedef {'loading' | 'resting' | 'running' | 'paused' | 'ended' | 'unavailable'} Status
  */
 
 /**
  * @typedef {object} State
  * @property {Status} status
- * @property {string} version of the core
+ * @property {string} version version of the core
  * @property {string[]} cageNames
- * @property {Generator} generator as chosen
+ * @property {Generator} generator the chosen shape
  * @property {Settings} settings
  * @property {OpenCage | null} cage
- * @property {EntryName | null} wanted an entry of the catalog that is being loaded
- * @property {OpenEntry | null} minimizer of the catalog, the last that was opened on this cage
+ * @property {EntryName | null} wanted a catalog entry that is being loaded
+ * @property {OpenEntry | null} minimizer the last catalog entry that was opened on this cage
  * @property {Opening | null} opening
- * @property {number} lastRun the largest run number given out
- * @property {number} run whose messages count
- * @property {Settings} runSettings of the run on the screen
- * @property {Group | null} group the symmetry that it keeps
- * @property {'pause' | 'cancel' | null} asked and not answered yet
+ * @property {number} lastRun the largest run number so far
+ * @property {number} run the run on the screen; messages about others are ignored
+ * @property {Settings} runSettings the settings of the run on the screen
+ * @property {Group | null} group the symmetry that the run keeps
+ * @property {'pause' | 'cancel' | null} asked a command that the worker has not answered yet
  * @property {Progress | null} progress
  * @property {StopReason | 'interrupted' | null} stop
  * @property {Sample[]} samples
  * @property {LevelReport[]} levels
- * @property {Limit | null} limit of the levels so far
- * @property {Measurement | null} first measurement of this run
+ * @property {Limit | null} limit the limit of the levels so far
+ * @property {Measurement | null} first the first measurement of this run
  * @property {Measurement | null} latest
  * @property {Surface | null} surface
- * @property {boolean} coarse whether more of it is to be asked for when it has been drawn
+ * @property {boolean} coarse whether to ask for a finer surface once this one has been drawn
  * @property {SavedSurface | null} saved
- * @property {number} fits how often the view was asked to fit the surface
- * @property {boolean} fitDue the next surface is a new cage's
+ * @property {number} fits how often the user asked to fit the surface into the view
+ * @property {boolean} fitDue whether the next surface belongs to a new cage
  * @property {boolean} exporting
  * @property {Certifying | null} certifying
- * @property {CertificateReport | null} certificate of the surface on the screen
+ * @property {CertificateReport | null} certificate the certificate of the surface on the screen
  * @property {Alert | null} alert
  * @property {{shading: Shading, cage: boolean, camera: Camera, theme: 'light' | 'dark' | 'system'}} view
  */

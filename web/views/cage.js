@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The cage panel: the generated shapes with their family and thickness, the file button, and the facts about the
- * cage that is open.
+ * @file The cage panel: the generated shapes with their family and thickness, the button to open a file, and facts
+ * about the open cage.
  */
 import { cageWords } from '../words/cages.js';
-import { whole } from '../words/numbers.js';
+import { integer } from '../words/numbers.js';
 import { element, find, setText, whenChanged } from './dom.js';
 
 /** @import {Action, OpenCage, State} from '../state/types.js' */
@@ -12,7 +12,7 @@ import { element, find, setText, whenChanged } from './dom.js';
 /** The menu's entry for a cage from a file. */
 const FILE = 'file';
 
-/** Menu texts: "Two junctions, 3 arms · genus 2". @param {string} name */
+/** A shape's text in the menu: "Two junctions, 3 arms · genus 2". @param {string} name */
 function entryText(name) {
   const { title, genus } = cageWords(name);
   return genus === null ? title : `${title} · genus ${genus}`;
@@ -22,11 +22,11 @@ function entryText(name) {
 function facts({ source, name, counts }) {
   return [
     .../** @type {Array<[string, string]>} */ (source.kind === 'text' ? [['File', name]] : []),
-    ['Vertices', whole(counts.vertices)],
-    ['Edges', whole(counts.edges)],
-    ['Faces', whole(counts.faces)],
-    ['Genus', whole(counts.genus)],
-    ['Components', whole(counts.components.length)],
+    ['Vertices', integer(counts.vertices)],
+    ['Edges', integer(counts.edges)],
+    ['Faces', integer(counts.faces)],
+    ['Genus', integer(counts.genus)],
+    ['Components', integer(counts.components.length)],
   ];
 }
 

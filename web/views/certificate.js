@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The certificate: the button that begins and cancels it, how far it is, and what it says.
+ * @file The certificate: the button that begins or cancels it, its progress, and its result.
  */
 import { certificateButton } from '../state/select.js';
 import { certificateDetails, certificateWords } from '../words/results.js';

@@ -4,7 +4,7 @@
  */
 import { setText } from './dom.js';
 
-/** Milliseconds for which the button says what it has done. */
+/** For how many milliseconds the button shows whether it has copied. */
 const TOLD = 1600;
 
 /** @param {HTMLButtonElement} button */
@@ -16,7 +16,7 @@ export function createCopyView(button) {
   button.addEventListener(
     'click',
     async () => {
-      // Where the page may not write, the address bar has the same.
+      // If the page may not copy, the user can copy from the address bar.
       const copied = await copy(location.href);
       setText(button, copied ? 'Copied' : 'See the address bar');
       clearTimeout(timer);
@@ -32,7 +32,7 @@ export function createCopyView(button) {
   };
 }
 
-/** @param {string} text @returns {Promise<boolean>} whether the browser allows it */
+/** @param {string} text @returns {Promise<boolean>} whether it was copied; the browser may forbid it */
 async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The few things that every view does with the document.
+ * @file Small functions for the document that all views use.
  */
 
 /**
- * The element that the selector names; the page's own HTML has it.
+ * The element that the selector matches. It must exist in the page's HTML.
  * @template {Element} [T=HTMLElement]
  * @param {ParentNode} root
  * @param {string} selector
@@ -31,7 +31,7 @@ export function element(tag, attributes = {}, ...children) {
 }
 
 /**
- * Changes nothing when the text is the same, so that screen readers stay calm.
+ * Sets the text only if it differs, so that screen readers do not repeat it.
  * @param {Element} target
  * @param {string} text
  */
@@ -40,7 +40,7 @@ export function setText(target, text) {
 }
 
 /**
- * A button that is switched off stays in the tab order and keeps the focus; its presses do nothing.
+ * Enables or disables a button. A disabled button stays in the tab order and keeps the focus, but ignores presses.
  * @param {HTMLButtonElement} button
  * @param {boolean} enabled
  */
@@ -49,7 +49,7 @@ export function setEnabled(button, enabled) {
 }
 
 /**
- * Calls `press` for presses while the button is enabled.
+ * Calls `press` when an enabled button is pressed.
  * @param {HTMLButtonElement} button
  * @param {() => void} press
  * @param {AbortSignal} signal
@@ -59,7 +59,7 @@ export function onPress(button, press, signal) {
 }
 
 /**
- * Remembers what it was last called with, and calls `work` only when one of them is another.
+ * Calls `work` only if some argument differs from the last call.
  * @template {unknown[]} T
  * @param {(...args: T) => void} work
  * @returns {(...args: T) => void}

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Files that are dropped anywhere on the page, or chosen: the first one is read and handed on.
+ * @file Reads the first of the files that the user drops on the page or chooses, and dispatches it.
  */
 
 /** @import {Action} from '../state/types.js' */
 
-/** A cage with so many bytes has more faces than can be minimized. */
+/** Larger cage files are refused: they have more faces than can be minimized. */
 export const MAX_BYTES = 64 * 1024 * 1024;
 
 /**
@@ -23,7 +23,7 @@ export function createFileTaker(dispatch) {
     try {
       dispatch({ type: 'fileChosen', name, text: new Uint8Array(await file.arrayBuffer()) });
     } catch (error) {
-      // A folder, or a file that went away.
+      // A folder, or a file that no longer exists.
       const message = error instanceof Error ? error.message : String(error);
       dispatch({ type: 'fileRefused', name, message: `It cannot be read: ${message}` });
     }
@@ -37,7 +37,10 @@ export function createFileTaker(dispatch) {
 export function createDropView(veil, takeFiles) {
   const listening = new AbortController();
   const options = { signal: listening.signal };
-  /** Leaving an element for its child is no leaving: `dragenter` comes first. */
+  /**
+   * How many nested elements the pointer is in. Entering a child leaves its parent, but `dragenter` of the child comes
+   * first, so the depth stays positive.
+   */
   let depth = 0;
   /** @param {DragEvent} event */
   const hasFiles = (event) => Boolean(event.dataTransfer?.types.includes('Files'));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the catalog says of the minimizer that was opened, and the button that minimizes it again.
+ * @file What the catalog says about the minimizer that was opened, and the button that minimizes it again.
  */
 import { compareLink } from '../address/links.js';
 import { settingsAreFree } from '../state/reduce.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How the symbol of a symmetry group is set: its letter, and the rest below the line.
+ * @file How the symbol of a symmetry group is shown: its letter, and the rest as a subscript.
  */
 import { schoenflies } from '../words/results.js';
 import { element } from './dom.js';

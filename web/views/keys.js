@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Keys that move the camera of a picture: arrows turn, plus and minus zoom, F fits.
+ * @file Keys for the camera of a picture: arrows turn it, plus and minus zoom, F fits the surface.
  */
 
 const TURN = Math.PI / 24;
 const ZOOM = 0.85;
 
 /**
- * What of OrbitControls the keys use.
+ * The methods of OrbitControls that the keys use.
  * @typedef {Record<'rotateLeft' | 'rotateUp' | 'dollyIn' | 'dollyOut', (amount: number) => void>} Controls
  */
 
 /**
- * @param {HTMLElement} element that has the focus
+ * @param {HTMLElement} element receives the keys while it has the focus
  * @param {Controls | undefined} controls
  * @param {() => void} fit
  * @param {AbortSignal} signal

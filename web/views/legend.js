@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The legend: which curvature surfaces are shaded by, its colours and its numbers. It also decides the range of the
- * colours, one for all of them.
+ * @file The legend: the menu of curvatures that can colour the surfaces, the colours and their numbers. Also chooses
+ * the range of the colours, common to all surfaces.
  */
 import { mapGradient } from '../colour/maps.js';
 import { quantities, quantityOf, sampleValues } from '../colour/quantities.js';
@@ -13,17 +13,17 @@ import { element, find, setText, whenChanged } from './dom.js';
 /** @import {Range} from '../colour/range.js' */
 
 /**
- * What the legend is of.
+ * The input of the legend.
  * @typedef {object} Shaded
  * @property {Shading} shading
- * @property {Float32Array[]} curvatures κ1, κ2 per vertex, of every surface with these colours
- * @property {string} occasion while it is the same, the range stays calm
+ * @property {Float32Array[]} curvatures κ1, κ2 per vertex of every surface that the legend applies to
+ * @property {string} occasion as long as it stays the same, the range changes rarely
  */
 
 /**
  * @param {HTMLElement} root
  * @param {(shading: Shading) => void} choose
- * @param {(quantity: Quantity) => string} [unit] of the numbers, in words
+ * @param {(quantity: Quantity) => string} [unit] the unit of the numbers, in words
  */
 export function createLegendView(root, choose, unit = (quantity) => `in ${quantity.unit}`) {
   const listening = new AbortController();
@@ -66,14 +66,14 @@ export function createLegendView(root, choose, unit = (quantity) => `in ${quanti
       }
       const next = robustRange(joined(curvatures.map((one) => sampleValues(quantity, one))), quantity.signed);
       const wanted = occasion === lastOccasion ? calmRange(range, next) : next;
-      // The same range stays the same object: to shade anew is to draw anew.
+      // Keeps the same object while the range is the same, since a new one would cause a redraw.
       if (!range || !sameRange(range, wanted)) range = wanted;
       lastOccasion = occasion;
     },
   );
 
   return {
-    /** @param {Shaded} shaded @returns {Range | null} of the colours */
+    /** @param {Shaded} shaded @returns {Range | null} the range of the colours */
     update({ shading, curvatures, occasion }) {
       const quantity = quantityOf(shading);
       measure(quantity, `${shading} ${occasion}`, ...curvatures);
@@ -87,10 +87,10 @@ export function createLegendView(root, choose, unit = (quantity) => `in ${quanti
 
 /** @param {Float64Array[]} parts @returns {Float64Array} */
 function joined(parts) {
-  const whole = new Float64Array(parts.reduce((length, part) => length + part.length, 0));
+  const all = new Float64Array(parts.reduce((length, part) => length + part.length, 0));
   parts.reduce((start, part) => {
-    whole.set(part, start);
+    all.set(part, start);
     return start + part.length;
   }, 0);
-  return whole;
+  return all;
 }

@@ -24,7 +24,7 @@ export function createLimitView(root) {
     );
   });
   return {
-    /** Of a run that goes on, more is to come. @param {State} state */
+    /** Shows nothing while a run goes on, because its limit is not final. @param {State} state */
     update: ({ status, limit, levels }) => show(status === 'running' ? null : limit, levels),
     dispose: () => root.replaceChildren(),
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The panel that says what is minimized and how: functional or blend, cap, symmetry, levels, tolerance, and where
- * the next run starts.
+ * @file The panel for what is minimized and how: functional or blend, cap, symmetry, levels, tolerance, and where the
+ * next run starts.
  */
 import { settingsAreFree } from '../state/reduce.js';
 import { MAX_LEVEL, problemWith } from '../state/settings.js';
@@ -20,7 +20,7 @@ function functionalNote(id) {
   return [element('p', { class: 'formula' }, words.formula), element('p', {}, words.taste)];
 }
 
-/** As one would type it: 1e-6, 0.01. @param {number} value */
+/** A number as a user would type it: 1e-6, 0.01. @param {number} value */
 function plainNumber(value) {
   return value > 0 && value < 1e-3 ? value.toExponential() : String(value);
 }
@@ -114,7 +114,7 @@ export function createObjectiveView(root, dispatch) {
     /** @param {State} state */
     update(state) {
       showSettings(state.settings);
-      // Of a run without symmetry the group is C1, whatever the cage's.
+      // A run without symmetry has group C1, whatever the symmetry of the cage.
       showGroup(state.runSettings.symmetry ? state.group : null, state.settings.symmetry);
       fields.disabled = !settingsAreFree(state);
       origin.hidden = state.status !== 'ended' || !state.saved;

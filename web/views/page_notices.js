@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The sentences that a page has to say about its address or what it could not load, until they are dismissed.
+ * @file Notices about a page's address or about files that could not be loaded, shown until they are dismissed.
  */
 import { find, setText } from './dom.js';
 

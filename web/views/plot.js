@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The convergence plot: energy, and below it the norm of its gradient, over the evaluations; levels are told
- * apart by hairlines.
+ * @file The convergence plot: the energy, and below it the norm of its gradient, over the evaluations; thin lines
+ * separate the levels.
  */
 import { curvePath, pieces } from '../plot/curves.js';
 import { linearScale, scaleFor, settled } from '../plot/scales.js';
@@ -73,7 +73,7 @@ function draw(samples, width) {
   ];
 }
 
-/** Where the curve begins above the plot, its title says where. @param {number} first @param {Scale} up */
+/** The title. It gives the first energy if that lies above the plot. @param {number} first @param {Scale} up */
 function energyTitle(first, up) {
   const name = up.logarithmic ? 'Energy, log scale' : 'Energy';
   return first > up.domain[1] ? `${name}; it began at ${compact(first, 4)}` : name;
@@ -106,7 +106,7 @@ export function createPlotView(root) {
     picture.setAttribute('width', String(width));
     picture.replaceChildren(...(some ? draw(samples, width) : []));
   });
-  const tell = whenChanged((/** @type {Sample[]} */ samples) => {
+  const updateDescription = whenChanged((/** @type {Sample[]} */ samples) => {
     setText(description, samples.length ? describe(samples) : '');
   });
 
@@ -120,7 +120,7 @@ export function createPlotView(root) {
     update(state) {
       ({ samples } = state);
       show(samples, root.clientWidth);
-      if (state.status !== 'running') tell(samples);
+      if (state.status !== 'running') updateDescription(samples);
     },
     dispose() {
       observer.disconnect();

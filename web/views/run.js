@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The run's buttons, what goes on in words, and where the numbers stand.
+ * @file The run's buttons, its status in words, and its current numbers.
  */
 import { runButtons, statusSentence } from '../state/select.js';
 import { counted, significant } from '../words/numbers.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The picture of the surface: hands meshes and shading to the scene, and tells where it is looked at from.
+ * @file The picture of the surface: passes meshes and colours to the scene, and reports the camera.
  */
 import { quantityOf } from '../colour/quantities.js';
 import { drawing } from '../scene/drawing.js';
@@ -26,7 +26,7 @@ export function createSurfaceView(root, dispatch) {
   const speed = drawing();
   /** @param {Camera} camera */
   const rested = (camera) => dispatch({ type: 'viewChanged', change: { camera } });
-  /** Whether the worker waits for the picture before it goes on. */
+  /** Whether the worker waits for this picture before it continues. */
   let awaited = false;
   function drawn() {
     if (!awaited) return;
@@ -55,7 +55,7 @@ export function createSurfaceView(root, dispatch) {
     scene?.showCage(visible);
     showCage.checked = visible;
   });
-  // Generated shapes stand on the axis of their symmetry, z; what modelling programs write has y upwards.
+  // The symmetry axis of generated shapes is z; modelling programs usually write y upwards.
   const setUp = whenChanged((/** @type {boolean} */ generated) => scene?.setUp(generated ? 'z' : 'y'));
   const shade = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) =>
     scene?.shade(quantity, range),
@@ -64,13 +64,13 @@ export function createSurfaceView(root, dispatch) {
     scene?.setLineColour(getComputedStyle(root).getPropertyValue('color')),
   );
   let shown = false;
-  // The first surface is seen from where the address says.
+  // The camera of the first surface comes from the address.
   const fit = whenChanged((/** @type {number} */ fits) => shown && scene?.fit());
 
   return {
     /**
      * @param {State} state
-     * @param {Range | null} range of the quantity that the surface is shaded by
+     * @param {Range | null} range range of the quantity that colours the surface
      * @param {boolean} dark
      */
     update(state, range, dark) {

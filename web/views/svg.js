@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What every plot is drawn with: elements of SVG, and the marks of an axis.
+ * @file What all plots share: creating SVG elements, and the marks of an axis.
  */
 import { tickText } from '../words/numbers.js';
 
@@ -22,7 +22,7 @@ export function svg(tag, attributes, ...children) {
 }
 
 /**
- * A line across the box and a number at its left for every tick.
+ * For every tick, a line across the box and a number on its left.
  * @param {Scale} up
  * @param {Box} box
  */

@@ -4,21 +4,21 @@
  */
 import { objectiveName, objectiveValue } from '../state/select.js';
 import { functionals, stopWords } from '../words/functionals.js';
-import { counted, duration, significant, whole, withError } from '../words/numbers.js';
+import { counted, duration, integer, significant, withError } from '../words/numbers.js';
 import { metricWords } from '../words/results.js';
 import { element, setText, whenChanged } from './dom.js';
 
 /** @import {Energies, LevelReport} from '../../wasm/types.js' */
 /** @import {Measurement, Settings, State} from '../state/types.js' */
 
-/** Of energies in the table of levels, at most. */
+/** Largest number of digits of energies in the table of levels. */
 const LEVEL_DIGITS = 7;
-/** Below this, an integral of the Gaussian curvature is round-off. */
+/** An integral of the Gaussian curvature below this is rounding error. */
 const ROUND_OFF = 1e-9;
 const DIVERGES = 'Third-order energies are infinite at extraordinary vertices without a cap.';
 
 /**
- * A number for a table: with an error bar where there is one, and the reason where there is none.
+ * The content of a cell: a number, with an error bar if it has one; or the reason why there is none.
  * @param {number} value
  * @param {number | null} error
  * @returns {Node[]}
@@ -49,9 +49,9 @@ function energyRow(name, formula, now, start, objective) {
 }
 
 /**
- * @param {Settings} settings of the run that the energies are of
+ * @param {Settings} settings settings of the run to which the energies belong
  * @param {Energies} now
- * @param {Energies | null} start null when the surface is still that of the start
+ * @param {Energies | null} start null if the surface is still that of the start
  * @returns {HTMLTableRowElement[]}
  */
 function energyRows(settings, now, start) {
@@ -109,7 +109,7 @@ export function createEnergiesView(root) {
       table.classList.toggle('moved', moved);
       body.replaceChildren(...energyRows(settings, latest.energies, moved ? first.energies : null));
       const stale = evaluations > latest.evaluations;
-      setText(note, stale ? `As of evaluation ${whole(latest.evaluations)}.` : '');
+      setText(note, stale ? `As of evaluation ${integer(latest.evaluations)}.` : '');
     },
   );
 
@@ -124,7 +124,7 @@ export function createEnergiesView(root) {
   };
 }
 
-/** To the digits that the quadrature justifies, as far as the column is wide. @param {LevelReport} report */
+/** A level's energy, with as many digits as the quadrature error justifies and the column can hold. @param {LevelReport} report */
 function levelEnergy({ energy, energy_reported }) {
   if (Number.isNaN(energy_reported)) return 'diverges';
   const { value } = withError(energy_reported, Math.abs(energy_reported - energy));
@@ -156,9 +156,9 @@ export function createLevelsView(root) {
           'tr',
           { title: levelTitle(report) },
           element('td', {}, String(report.level)),
-          element('td', {}, whole(report.patches)),
+          element('td', {}, integer(report.patches)),
           element('td', {}, levelEnergy(report)),
-          element('td', {}, whole(report.evaluations)),
+          element('td', {}, integer(report.evaluations)),
           element('td', {}, metricWords[report.metric]),
           element('td', {}, stopWords[report.stop] ?? report.stop),
         );

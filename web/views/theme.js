@@ -8,7 +8,7 @@ import { setText } from './dom.js';
 
 /**
  * @param {HTMLButtonElement} button
- * @param {(theme: Theme) => void} choose is called with the theme that the button offers
+ * @param {(theme: Theme) => void} choose called with the theme that the button offers
  */
 export function createThemeView(button, choose) {
   const listening = new AbortController();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the generated cages are called on the page, and names for the files that are saved.
+ * @file Names of the generated cages on the page, and names of saved files.
  */
 
 /**
@@ -16,9 +16,9 @@ const polyhedra = {
 };
 
 /**
- * "Two junctions, 3 arms", with the genus where the name tells it.
+ * A cage's title, such as "Two junctions, 3 arms", with its genus if its name determines it.
  * @param {string} name as the core knows it
- * @returns {{title: string, genus: number | null, frame: boolean}} `frame`: it comes in two families and in any
+ * @returns {{title: string, genus: number | null, frame: boolean}} `frame` is true if it has two families and a
  *   thickness
  */
 export function cageWords(name) {
@@ -34,7 +34,7 @@ export function cageWords(name) {
 }
 
 /**
- * A cage file's name without folder and extension, safe in a file name.
+ * A cage file's name without folder and extension, with only safe characters.
  * @param {string} fileName
  */
 export function stemOf(fileName) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the catalog's shapes, columns and entries are called, and what is known of them.
+ * @file Names of the catalog's shapes, columns and entries, and what is known about them in words.
  */
 import { cageWords } from './cages.js';
 import { functionalWords } from './functionals.js';
-import { compact, counted, significant, upperBound, whole, withError } from './numbers.js';
+import { compact, counted, integer, significant, upperBound, withError } from './numbers.js';
 
 /** @import {FunctionalName} from '../../wasm/types.js' */
 /** @import {CatalogEntry, CatalogFunctional, CatalogShape, EntryStatus} from '../files/catalog.js' */
 
-/** Digits of an extrapolated energy's error, of an infimum, and of what mathematics has. */
+/** Number of digits of an extrapolated energy's error, of an infimum, and of an energy known in theory. */
 const ERROR_DIGITS = 2;
 const INFIMUM_DIGITS = 6;
 const EXACT_DIGITS = 7;
@@ -21,7 +21,8 @@ const SUBSCRIPTS = '₀₁₂₃₄₅₆₇₈₉';
 const SUPERSCRIPTS = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 
 /**
- * The catalog's sentences are in ASCII; on the page xi_{2,1} is ξ₂,₁, 8 pi^2 is 8π², and -11 % has a true minus.
+ * Typesets the catalog's sentences, which are in ASCII: xi_{2,1} becomes ξ₂,₁, 8 pi^2 becomes 8π², and -11 % gets a
+ * true minus.
  * @param {string} text
  */
 export function typeset(text) {
@@ -40,7 +41,7 @@ export function shapeTitle(name) {
   return name === 'sphere' ? 'Sphere' : cageWords(name).title;
 }
 
-/** "8 junctions of 3 arms". @param {CatalogShape} shape @returns {string} empty where there are none, or where the title says it */
+/** "8 junctions of 3 arms". @param {CatalogShape} shape @returns {string} empty if there are none, or if the title says so already */
 export function junctionWords({ name, junctions, arms }) {
   return junctions && !name.startsWith('two-') ? `${counted(junctions, 'junction')} of ${counted(arms, 'arm')}` : '';
 }
@@ -89,8 +90,8 @@ export const statusWords = {
 /**
  * An entry's energy.
  * @param {CatalogEntry} entry
- * @returns {{value: string, error: string, note: string}} `error` is empty where there is none, `note` where the number
- *   says itself what it is
+ * @returns {{value: string, error: string, note: string}} `error` is empty if there is none, `note` if the number needs
+ *   no explanation
  */
 export function energyWords({ status, energy, error }) {
   const note = status === 'converged' || status === 'upper_bound' ? '' : statusWords[status].name;
@@ -105,18 +106,18 @@ export function energyWords({ status, energy, error }) {
   }
 }
 
-/** What others have for an entry: the paper's table and mathematics. @param {CatalogEntry} entry @returns {string[]} */
+/** Values to compare an entry with: the paper's, and the one known in theory. @param {CatalogEntry} entry @returns {string[]} */
 export function besideWords({ status, paper, exact }) {
   const words = [];
-  if (paper !== null) words.push(`paper ${whole(paper)}`);
-  // A known infimum is what mathematics has.
+  if (paper !== null) words.push(`paper ${integer(paper)}`);
+  // A known infimum is already the theoretical value.
   const computed = status === 'converged' || status === 'upper_bound';
   if (computed && exact !== null) words.push(`exact ${compact(exact, EXACT_DIGITS)}`);
   return words;
 }
 
 /**
- * The commands that compute an entry from nothing.
+ * The commands that compute an entry from scratch.
  * @param {CatalogShape} shape
  * @param {CatalogFunctional} functional
  * @param {CatalogEntry} entry
@@ -135,7 +136,7 @@ export function commands({ name, cage }, { weights }, { settings }) {
   ].join('\n');
 }
 
-/** How the catalog, or a number of it, is cited. @param {string} version @param {string} address of the catalog */
+/** A citation of the catalog. @param {string} version @param {string} address of the catalog */
 export function citation(version, address) {
   return `umbilic ${version}, a catalog of minimizers of curvature functionals, ${address}`;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the functionals, caps, stop reasons and phases are called on the page.
+ * @file Names and descriptions of functionals, caps, stop reasons and phases on the page.
  */
 
 /** @import {CapName, FunctionalName, StopReason} from '../../wasm/types.js' */
@@ -9,10 +9,10 @@
  * @typedef {object} FunctionalWords
  * @property {FunctionalName} id
  * @property {string} name
- * @property {string} short for sums of several
+ * @property {string} short used in sums of several functionals
  * @property {string} formula
- * @property {string} taste one line: what its minimizers are like
- * @property {boolean} thirdOrder integrates curvature derivatives, and carries the factor area A
+ * @property {string} taste one line: what its minimizers look like
+ * @property {boolean} thirdOrder whether it integrates curvature derivatives and has the factor area A
  */
 
 /** @type {FunctionalWords[]} */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Numbers as the page prints them: a true minus sign, digits that the error justifies, powers of ten where they
- * are shorter.
+ * @file How the page prints numbers: with a true minus sign, with the digits that the error justifies, and with powers
+ * of ten if these are shorter.
  */
 
 const MINUS = '−';
@@ -14,19 +14,19 @@ function superscript(exponent) {
   return exponent < 0 ? `⁻${digits}` : digits;
 }
 
-/** Thin spaces between groups of three, from five digits on. @param {string} whole */
-function grouped(whole) {
-  return whole.length < 5 ? whole : whole.replace(/\B(?=(\d{3})+$)/g, THIN_SPACE);
+/** Inserts thin spaces between groups of three digits if there are at least five. @param {string} digits */
+function grouped(digits) {
+  return digits.length < 5 ? digits : digits.replace(/\B(?=(\d{3})+$)/g, THIN_SPACE);
 }
 
 /**
- * `value` with `decimals` digits behind the point.
+ * `value` with `decimals` digits after the point.
  * @param {number} value
  * @param {number} decimals
  */
 function fixed(value, decimals) {
-  const [whole, fraction] = Math.abs(value).toFixed(decimals).split('.');
-  const text = fraction ? `${grouped(whole)}.${fraction}` : grouped(whole);
+  const [units, fraction] = Math.abs(value).toFixed(decimals).split('.');
+  const text = fraction ? `${grouped(units)}.${fraction}` : grouped(units);
   return value < 0 && /[1-9]/.test(text) ? MINUS + text : text;
 }
 
@@ -50,7 +50,7 @@ export function significant(value, digits = 6) {
   return fixed(rounded, Math.max(0, digits - 1 - exponent));
 }
 
-/** Without zeros at the end: 0.5, −2, 1.25. @param {number} value @param {number} [digits] */
+/** The same without trailing zeros: 0.5, −2, 1.25. @param {number} value @param {number} [digits] */
 export function compact(value, digits = 3) {
   const text = significant(value, digits);
   if (!text.includes('.')) return text;
@@ -59,7 +59,7 @@ export function compact(value, digits = 3) {
   return power === undefined ? trimmed : `${trimmed}${THIN_SPACE}×${power}`;
 }
 
-/** As short as a tick of an axis must be: 0.5, 2000, 10⁵, 1.5 × 10⁷. @param {number} value */
+/** A short form for the ticks of an axis: 0.5, 2000, 10⁵, 1.5 × 10⁷. @param {number} value */
 export function tickText(value) {
   const size = Math.abs(value);
   if (size === 0 || (size >= 0.001 && size < 1e5)) return compact(value, 4);
@@ -70,8 +70,8 @@ export function tickText(value) {
 }
 
 /**
- * A value and its error bar, both to the digits that the error justifies: as many of the error as asked, or one, and two
- * where it begins with 1 or 2.
+ * A value and its error bar, both rounded to the digits that the error justifies. The error gets `digitsOfError`
+ * digits; by default one, or two if it begins with 1 or 2.
  * @param {number} value
  * @param {number} error >= 0
  * @param {number} [digitsOfError]
@@ -94,7 +94,7 @@ export function withError(value, error, digitsOfError) {
 }
 
 /**
- * A bound from above with `digits` significant digits, rounded upwards, so that it stays one.
+ * An upper bound with `digits` significant digits, rounded upwards so that it remains a bound.
  * @param {number} value >= 0
  * @param {number} [digits]
  */
@@ -105,8 +105,8 @@ export function upperBound(value, digits = 4) {
   return significant(rounded < value ? rounded + unit : rounded, digits);
 }
 
-/** Whole numbers: 12 288. @param {number} value */
-export function whole(value) {
+/** An integer: 12 288. @param {number} value */
+export function integer(value) {
   return fixed(Math.round(value), 0);
 }
 
@@ -120,5 +120,5 @@ export function duration(seconds) {
 
 /** "1 face", "2 faces". @param {number} count @param {string} singular @param {string} [plural] */
 export function counted(count, singular, plural = `${singular}s`) {
-  return `${whole(count)} ${count === 1 ? singular : plural}`;
+  return `${integer(count)} ${count === 1 ? singular : plural}`;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What a run's limit, its symmetry and its certificate are called on the page.
+ * @file A run's limit, symmetry and certificate in words.
  */
 import { counted, significant, withError } from './numbers.js';
 
 /** @import {CertificateReport, Group, LevelReport, Limit, StopReason} from '../../wasm/types.js' */
 
-/** Levels that an error bar takes. */
+/** An error bar needs this many levels. */
 const ENOUGH_LEVELS = 3;
-/** Digits of an extrapolated energy's error. */
+/** Number of digits of an extrapolated energy's error. */
 const ERROR_DIGITS = 2;
 
 /** @type {Record<LevelReport['metric'], string>} */
@@ -18,7 +18,7 @@ export const metricWords = { identity: 'Euclidean', sobolev: 'Sobolev', hessian:
  * The extrapolated energy with its error, or the reason why there is none.
  * @param {Limit} limit
  * @param {LevelReport[]} levels
- * @returns {{value: string, error: string, words: string}} `value` and `error` are empty where there is nothing to say
+ * @returns {{value: string, error: string, words: string}} `value` and `error` are empty if there is no limit
  */
 export function limitWords({ status, energy, order, error }, levels) {
   switch (status) {
@@ -41,7 +41,7 @@ export function limitWords({ status, energy, order, error }, levels) {
 }
 
 /**
- * A Schoenflies symbol's letter and what stands below the line: D3h is D and 3h.
+ * Splits a Schoenflies symbol into its letter and its subscript: D3h is D and 3h.
  * @param {string} name
  * @returns {{letter: string, index: string}}
  */
@@ -50,7 +50,7 @@ export function schoenflies(name) {
 }
 
 /**
- * Which symmetry a run keeps, after the group's symbol, if it has one.
+ * The symmetry that a run keeps: the group's symbol, if it has one, and the words after it.
  * @param {Group | null} group
  * @param {boolean} wanted whether symmetry is to be kept
  * @returns {{symbol: string, words: string}}
@@ -62,7 +62,7 @@ export function groupWords(group, wanted) {
 }
 
 /**
- * What a certificate says of the surface that a run has ended with, before and after the symbol of its symmetry.
+ * What a certificate says about the surface at the end of a run: the words before and after the symbol of its symmetry.
  * @param {CertificateReport} report
  * @param {Group | null} group
  * @param {StopReason | 'interrupted' | null} stop
@@ -85,7 +85,7 @@ export function certificateWords({ negative }, group, stop) {
   return { before: `${directions}: a minimum only within its symmetry (`, symbol: group.name, after: ').' };
 }
 
-/** What a certificate rests on. @param {CertificateReport} report */
+/** The size of the Hessian and the tolerance behind a certificate. @param {CertificateReport} report */
 export function certificateDetails({ unknowns, tau }) {
   return `${counted(unknowns, 'unknown')}, τ\u00a0=\u00a0${tau}`;
 }

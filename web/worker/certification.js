@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The certificate that the worker is making, one step at a time between the messages. Kept, for the report, until the
- * surface that it is about moves or goes.
+ * @file Computes a certificate in the worker, one step at a time between messages. Keeps the result for the report
+ * until the surface changes.
  */
 
 /** @import {Certificate, Minimizer} from '../../wasm/umbilic.js' */
@@ -34,7 +34,7 @@ export function createCertification({ post, yieldThen }) {
   }
 
   return {
-    /** Of the minimizer's best surface. @param {number} run @param {Minimizer} minimizer */
+    /** Begins a certificate of the minimizer's best surface. @param {number} run @param {Minimizer} minimizer */
     begin(run, minimizer) {
       drop();
       const mine = minimizer.certify();
@@ -42,14 +42,14 @@ export function createCertification({ post, yieldThen }) {
       yieldThen(() => advance(run, mine));
     },
 
-    /** At the page's wish; one that is ready already has been told. @param {number} run */
+    /** Abandons the certificate, unless it is ready, which the page then knows. @param {number} run */
     abandon(run) {
       if (!certificate || ready) return;
       drop();
       post({ type: 'certificateAbandoned', run });
     },
 
-    /** Of the surface that rests. */
+    /** The certificate of the current surface; null unless it is ready. */
     ready: () => (ready ? certificate : null),
 
     drop,

@@ -1,35 +1,35 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The page's end of the worker: sends commands, hands messages on, and replaces a worker that has stopped
- * answering or has failed.
+ * @file The page's side of the worker: sends commands, passes messages on, and replaces a worker that fails or stops
+ * answering.
  */
 
 /** @import {Command, Message} from './protocol.js' */
 
 /**
- * What the client needs of a `Worker`.
+ * The members of `Worker` that the client needs.
  * @typedef {Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onerror'>} WorkerLike
  */
 
 /**
- * Why a worker was replaced: it did not answer in time, it broke, or the page gave it up. One that cannot even load
- * is not replaced.
+ * Why a worker was replaced: it did not answer in time, it failed, or the page gave it up. `unloadable`: it could not
+ * load, and is not replaced.
  * @typedef {'silent' | 'broken' | 'abandoned' | 'unloadable'} Loss
  */
 
 /**
- * Milliseconds that a worker may be silent after pause or cancel; one energy evaluation, after which it answers,
+ * How long a worker may be silent after pause or cancel, in milliseconds. It answers after one energy evaluation, which
  * takes much less.
  */
 export const COMMAND_PATIENCE = 5_000;
 /**
- * The same after it was asked to abandon a certificate: one step of it takes much less, but for the last, which nothing
- * else can end.
+ * The same after the page asked to abandon a certificate. A step takes much less, except for the last one, which cannot
+ * be interrupted.
  */
 export const ABANDON_PATIENCE = 1_000;
-/** The same while it computes or opens a cage, where single steps of a very large cage take long. */
+/** The same while it computes or opens a cage, since single steps of a very large cage take long. */
 export const WORK_PATIENCE = 30_000;
-/** Silence after which it is asked for a sign of life. */
+/** After this silence the client sends a ping. */
 export const PING_AFTER = 2_000;
 
 const CHECK_INTERVAL = 500;
@@ -37,7 +37,7 @@ const CHECK_INTERVAL = 500;
 /**
  * @typedef {object} Client
  * @property {(command: Command) => void} send
- * @property {() => void} abandon gives the worker up and starts a new one
+ * @property {() => void} abandon stops the worker and starts a new one
  * @property {() => void} dispose
  */
 
@@ -45,16 +45,16 @@ const CHECK_INTERVAL = 500;
  * @param {object} options
  * @param {() => WorkerLike} options.createWorker
  * @param {(message: Message) => void} options.onMessage
- * @param {(loss: Loss, detail: string) => void} options.onLost unless unloadable, a new worker has been started
- *   already, and knows no run
+ * @param {(loss: Loss, detail: string) => void} options.onLost called after a new worker, which has no run, has been
+ *   started (none if it was unloadable)
  * @returns {Client}
  */
 export function createClient({ createWorker, onMessage, onLost }) {
   /** @type {WorkerLike} */
   let worker;
   /**
-   * Pings without an answer yet. One follows every command; messages are answered in order, so its answer says that
-   * the command is done.
+   * The number of pings without an answer. Each command is followed by a ping, and messages are answered in order, so
+   * the answer means that the command is done.
    */
   let pings = 0;
   let running = false;
@@ -113,11 +113,11 @@ export function createClient({ createWorker, onMessage, onLost }) {
     onMessage(message);
   }
 
-  /** Looks at the clock for as long as the worker has something to do. */
+  /** Checks for silence as long as the worker has something to do. */
   function watch() {
     timer ??= setInterval(() => {
-      // Checks are counted, not the time between them: a machine that slept has not been silent. Nor is loading: a
-      // slow network is not a hung worker.
+      // Counts checks rather than time, so that a machine that was asleep does not count as silence. Loading does not
+      // count either: a slow network is not a hung worker.
       if (loaded) silence += CHECK_INTERVAL;
       if (pings === 0 && !running) stopWatching();
       else if (silence > patience) lose('silent', '');

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How finely the limit surface is tessellated: fewer quads while it moves, more when it rests.
+ * @file The density of the limit mesh: fewer quads while the surface moves, more when it rests.
  */
 
 export const MOVING_QUADS = 14_000;
 export const RESTING_QUADS = 70_000;
 export const SAVED_QUADS = 200_000;
 
-/** Quads along each edge of a patch, at most: more are not seen at rest, or while it moves. */
+/** Largest number of quads along each edge of a patch; more would not be visible. */
 const RESTING_DENSITY = 32;
 const MOVING_DENSITY = 16;
 
 /**
- * Quads along each edge of a patch, such that the mesh has at most about `quads` quads.
+ * The number of quads along each edge of a patch for a mesh of at most about `quads` quads.
  * @param {number} patches
  * @param {number} quads
  */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The run that the user may well ask for next, made and prepared while the one on the screen rests, so that its
- * surface moves at once.
+ * @file Prepares the run that the user will probably start next while the current one rests, so that its surface moves
+ * at once.
  */
 
 /** @import {Minimizer} from '../../wasm/umbilic.js' */
@@ -16,7 +16,7 @@ export function createExpectation({ core, yieldThen }) {
   /** @type {{key: string, minimizer: Minimizer} | null} */
   let expected = null;
 
-  /** One part of what the first step takes, at last the energies of the start. @param {Minimizer} mine */
+  /** Does one part of the preparation; the last part computes the energies of the start. @param {Minimizer} mine */
   function advance(mine) {
     if (expected?.minimizer !== mine) return;
     if (mine.progress.phase !== 'prepare') return void mine.energies;
@@ -30,7 +30,7 @@ export function createExpectation({ core, yieldThen }) {
   }
 
   return {
-    /** What cannot be opened is not expected. @param {Problem} problem of a generated cage */
+    /** Begins to prepare a run, unless the problem cannot be opened. @param {Problem} problem of a generated cage */
     begin(problem) {
       drop();
       try {
@@ -43,7 +43,7 @@ export function createExpectation({ core, yieldThen }) {
     },
 
     /**
-     * The run that was expected, as far as it is prepared, or a new one.
+     * The prepared run if it is for this problem, however far its preparation has come; otherwise a new one.
      * @param {Problem | string} problem @returns {Minimizer} @throws {import('../../wasm/umbilic.js').InputError}
      */
     take(problem) {

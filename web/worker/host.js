@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file A worker's ends: loads the core, hands the page's commands on in their order, and posts what is answered.
+ * @file Connects a worker to the page: loads the core, passes the page's commands on in order, and posts the answers.
  */
 import { cageNames, load, version } from '../../wasm/umbilic.js';
 import { transferables } from './protocol.js';
@@ -12,7 +12,7 @@ export function post(message) {
   self.postMessage(message, { transfer: transferables(message) });
 }
 
-/** A message to oneself queues behind those of the page; a timer would wait 4 ms. */
+/** A message to itself is queued behind the page's messages; a timer would wait at least 4 ms. */
 const channel = new MessageChannel();
 /** @type {Array<() => void>} */
 const tasks = [];
@@ -25,7 +25,7 @@ export function yieldThen(task) {
 }
 
 /**
- * @param {() => (command: Command) => void} begin is called when the core is there
+ * @param {() => (command: Command) => void} begin called when the core has been loaded
  */
 export async function host(begin) {
   /** @type {((command: Command) => void) | undefined} */

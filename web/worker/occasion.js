@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Something done now and then, at most once per interval and only for a share of the time.
+ * @file Work that is done from time to time: at most once per interval, and only for a fraction of the time.
  */
 
-/** No side work may take more than this part of the time. */
+/** The largest fraction of the time that side work may take. */
 const SIDE_SHARE = 0.25;
 
 export class Occasion {
@@ -21,7 +21,7 @@ export class Occasion {
     return this.#now() >= this.#due;
   }
 
-  /** Not before an interval from now. */
+  /** Waits at least one interval from now. */
   postpone() {
     this.#due = this.#now() + this.#interval;
   }

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The messages between page and worker: imperative in, past tense out. Plain objects; buffers are transferred.
- * `run` numbers what a message is about: each `open` begins a run under a new number, and the worker keeps the old one
- * until the new one has opened.
+ * @file The messages between page and worker: commands are imperative, answers are in the past tense. All are plain
+ * objects; buffers are transferred. `run` is the number of the run that a message is about. Each `open` begins a run
+ * with a new number, and the worker keeps the old run until the new one has opened.
  */
 
 /** @import {CageReport, CertificateReport, Energies, Group, LevelReport, Limit} from '../../wasm/types.js' */
 /** @import {Mesh, Problem, Progress, Report, StopReason} from '../../wasm/types.js' */
 
 /**
- * Begins the run that a problem asks for, or the text of a problem's or a report's file, and shows its surface. Answers
- * `opened`, `surfaced`, `saved`, `measured`, or `failed`. With `look`, for a minimizer, which has many faces and is but
- * looked at: `opened` and a coarse `surfaced` alone, so that nothing else takes the machine's time before it is on the
- * screen. With `then`, as if `optimize` or `step` followed: the surface at rest is not shown first.
+ * Begins the run of a problem (also given as the text of a problem or report file) and shows its surface. Answers
+ * `opened`, `surfaced`, `saved`, `measured`, or `failed`. With `look`, for a minimizer that is only viewed and has many
+ * faces: answers only `opened` and a coarse `surfaced`, so that it is on the screen soon. With `then`: works as if
+ * `optimize` or `step` followed, and does not show the surface at rest first.
  * @typedef {{type: 'open', run: number, problem: Problem | string, look?: boolean, then?: 'run' | 'step'}} Open
  *
- * The coarse surface is on the screen. Answers what `open` has left out.
+ * The coarse surface has been drawn. Answers what `open` with `look` left out.
  * @typedef {{type: 'detail', run: number}} Detail
  *
- * What the user may open next: while the surface rests the worker prepares it, if it can be opened. No answer.
+ * A problem that the user may open next. The worker prepares it while the surface rests. No answer.
  * @typedef {{type: 'expect', run: number, problem: Problem}} Expect
  *
- * Minimizes until told otherwise. Answers `stepped`, `surfaced`, `saved`, `levelEnded`, at last `ended`. The first surface
- * that has moved comes before everything that takes longer than a step.
+ * Minimizes until told otherwise. Answers `stepped`, `surfaced`, `saved`, `levelEnded` and finally `ended`. The first
+ * surface that has moved is sent before anything that takes longer than a step.
  * @typedef {{type: 'optimize', run: number}} Optimize
  *
- * One energy evaluation, then `paused`.
+ * Does one energy evaluation. Answers `paused`.
  * @typedef {{type: 'step', run: number}} Step
  * @typedef {{type: 'pause', run: number}} Pause
  * @typedef {{type: 'cancel', run: number}} Cancel
@@ -33,14 +33,14 @@
  * Answers `exported` with the control mesh or the limit mesh as OBJ, or with the report.
  * @typedef {{type: 'export', run: number, what: Exportable}} Export
  *
- * Whether the surface of a run that rests is a minimum among all surfaces near it. Answers `certificateAdvanced`, at
- * last `certified`, or `failed`; another run drops it.
+ * Tests whether the surface of a run at rest is a minimum among all surfaces near it. Answers `certificateAdvanced` and
+ * finally `certified`, or `failed`. Another run ends the test.
  * @typedef {{type: 'certify', run: number}} Certify
  *
- * Answers `certificateAbandoned`, unless it is ready.
+ * Answers `certificateAbandoned`, unless the certificate is ready.
  * @typedef {{type: 'abandonCertificate', run: number}} AbandonCertificate
  *
- * Asks for a sign of life: `ponged`.
+ * Asks for the answer `ponged`.
  * @typedef {{type: 'ping'}} Ping
  * @typedef {Open | Detail | Expect | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Ping} Command
  */
@@ -51,27 +51,27 @@
  * The worker has loaded the core.
  * @typedef {{type: 'started', version: string, cages: string[]}} Started
  *
- * `group` is the symmetry that the run keeps. Of a file: `asked` is its problem, complete but for where it starts, and
- * `report` what came out.
+ * `group` is the symmetry that the run keeps. For a file, `asked` is its problem, complete except for its start, and
+ * `report` its results.
  * @typedef {{type: 'opened', run: number, cage: CageReport, group: Group, asked?: Problem, report?:
  *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate'>}} Opened
  *
- * The surface as it is now; `evaluations` over all levels so far; `coarse` where `detail` tells more.
+ * The current surface. `evaluations` counts all levels so far. `coarse`: `detail` will bring a finer one.
  * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: Mesh, control: Mesh, coarse?: boolean}} Surfaced
  *
- * Its energies by the reporting rule.
+ * Energies of the surface by the reporting rule.
  * @typedef {{type: 'measured', run: number, evaluations: number, energies: Energies}} Measured
  *
  * Samples since the last message, SAMPLE_SIZE numbers each: evaluations over all levels, energy, gradient norm,
  * level.
  * @typedef {{type: 'stepped', run: number, progress: Progress, samples: Float64Array}} Stepped
  *
- * `limit` is that of the levels so far.
+ * `limit` is the limit of the levels so far.
  * @typedef {{type: 'levelEnded', run: number, report: LevelReport, limit: Limit}} LevelEnded
  * @typedef {{type: 'paused', run: number, progress: Progress}} Paused
  * @typedef {{type: 'ended', run: number, stop: StopReason, progress: Progress}} Ended
  *
- * The best surface, so that nothing is lost with the worker.
+ * A copy of the best surface, so that it survives the loss of the worker.
  * @typedef {{type: 'saved', run: number, evaluations: number, state: {level: number, points: Float64Array}}} Saved
  *
  * @typedef {{type: 'exported', run: number, what: Exportable, text: string}} Exported
@@ -82,17 +82,17 @@
  * @typedef {{type: 'certificateAbandoned', run: number}} CertificateAbandoned
  * @typedef {{type: 'ponged'}} Ponged
  *
- * `input`: what the user's file or options did wrong. `internal`: the worker is of no further use.
+ * `input`: something is wrong with the user's file or options. `internal`: the worker can no longer be used.
  * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
  * @typedef {Started | Opened | Surfaced | Measured | Stepped | LevelEnded | Paused | Ended | Saved | Exported |
  *   CertificateAdvanced | Certified | CertificateAbandoned | Ponged | Failed} Message
  */
 
-/** Numbers of one sample in `stepped`. */
+/** How many numbers a sample in `stepped` has. */
 export const SAMPLE_SIZE = 4;
 
 /**
- * The buffers of a message that are handed over rather than copied.
+ * The buffers of a message that are transferred instead of copied.
  * @param {Message} message
  * @returns {ArrayBuffer[]}
  */

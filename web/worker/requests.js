@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Both ends of a worker that only answers: one answer to each question, in their order. The worker is started with the first one.
+ * @file Both sides of a worker that only answers questions: one answer to each, in order. The first question starts the
+ * worker.
  */
 
 /** @typedef {Pick<Worker, 'postMessage' | 'onmessage' | 'onerror'>} Answering */
@@ -9,7 +10,7 @@
 /** @typedef {{request: number, answer: any} | {request: number, failure: string}} Response */
 
 /**
- * The page's end.
+ * The page's side.
  * @template Q, A
  * @param {() => Answering} createWorker
  * @returns {(question: Q) => Promise<A>}
@@ -47,13 +48,13 @@ export function createRequests(createWorker) {
 }
 
 /**
- * The worker's end.
- * @param {() => Promise<void>} load is called before the first answer
+ * The worker's side.
+ * @param {() => Promise<void>} load called before the first answer
  * @param {(question: any) => {answer: any, transfer?: ArrayBuffer[]}} answer
  */
 export function answerRequests(load, answer) {
   const loaded = load();
-  loaded.catch(() => {}); // told with every answer
+  loaded.catch(() => {}); // every answer reports the failure
   self.onmessage = async (/** @type {MessageEvent<Request>} */ { data: { request, question } }) => {
     try {
       await loaded;

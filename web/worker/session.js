@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the worker does with the messages: holds the run that is open, steps it one energy evaluation at a time,
- * and tells the page about it no more often than the page can show. Knows neither workers nor timers: posting, yielding
- * and the clock are given.
+ * @file How the worker reacts to messages: it keeps the open run, steps it one energy evaluation at a time, and reports
+ * to the page no more often than the page can show. It knows neither workers nor timers; functions for posting,
+ * yielding and the time are passed in.
  */
 import { createCertification } from './certification.js';
 import { MOVING_QUADS, RESTING_QUADS, SAVED_QUADS, densityFor } from './density.js';
@@ -18,22 +18,26 @@ import { Occasion } from './occasion.js';
  * @typedef {object} Surroundings
  * @property {{Minimizer: typeof Minimizer, InputError: new (message: string) => Error, parseReport: typeof parseReport}} core
  * @property {(message: Message) => void} post
- * @property {(task: () => void) => void} yieldThen runs the task after the messages that have arrived meanwhile
+ * @property {(task: () => void) => void} yieldThen runs the task after the messages that have arrived by then
  * @property {() => number} now milliseconds
- * @property {() => void} [rested] is called when all has been told of a surface that rests, and its level is prepared
+ * @property {() => void} [rested] called when everything about a surface at rest has been sent and its level is
+ *   prepared
  */
 
 /** Milliseconds between two meshes, and between two messages about steps. */
 const SURFACE_INTERVAL = 1000 / 15;
 const STEP_INTERVAL = 1000 / 20;
-/** Milliseconds between two copies of the surface for safe keeping. */
+/** Milliseconds between two saved copies of the surface. */
 const SAVE_INTERVAL = 2000;
-/** Milliseconds between two measurements of all energies, and the most that one may take while a run goes on. */
+/** Milliseconds between two measurements of all energies; also the longest that one may take during a run. */
 const MEASURE_INTERVAL = 1000;
 const MEASURE_LIMIT = 60;
 /** A measurement takes at most about this many times as long as a step. */
 const MEASURE_STEPS = 8;
-/** Patches of the largest level that is prepared before it is asked for: more take memory that looking does not. */
+/**
+ * The largest number of patches of a level that is prepared in advance; a larger one takes memory that viewing does not
+ * need.
+ */
 const MOST_PATCHES_AHEAD = 4000;
 
 /**
@@ -47,16 +51,16 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   /** @type {'resting' | 'stepping' | 'running'} */
   let pace = 'resting';
   let ticking = false;
-  /** Whether a run that has opened has told nothing more yet. */
+  /** Whether an opened run has sent nothing but `opened` so far. */
   let introducing = false;
-  /** Whether it is a minimizer that has not been shown yet. */
+  /** Whether the surface is a minimizer that has only been shown coarsely. */
   let coarse = false;
-  /** Whether it may be minimized: a minimizer is but looked at. */
+  /** Whether the surface may be minimized; a minimizer from the catalog is only viewed. */
   let startable = false;
-  let levelsTold = 0;
-  /** Of the surface that was told last: its level, faces of the mesh that it is evaluated on, and energy, if known. */
-  let told = { level: -1, patches: 0, energy: NaN };
-  /** Whether a surface has been told since the run began or went on. */
+  let levelsSent = 0;
+  /** The surface that was sent last: its level, the faces of its evaluated mesh, and its energy, if known. */
+  let sent = { level: -1, patches: 0, energy: NaN };
+  /** Whether a surface has been sent since the run began or continued. */
   let shown = false;
   let firstEnergy = NaN;
   let savedEvaluations = -1;
@@ -68,7 +72,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   const saveOccasion = new Occasion(SAVE_INTERVAL, now);
   const measureOccasion = new Occasion(MEASURE_INTERVAL, now);
   let stepCost = Infinity;
-  /** The level at which a measurement has taken too long. */
+  /** The level at which a measurement took too long. */
   let slowLevel = -1;
   const certification = createCertification({ post, yieldThen: (task) => yieldThen(() => guard(run, task)) });
 
@@ -80,8 +84,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     return minimizer;
   }
 
-  /** What a file has to say of itself. @param {Problem | string} problem @param {Minimizer} opened */
-  function said(problem, opened) {
+  /** The parts of `opened` that only a file has: its problem and results. @param {Problem | string} problem @param {Minimizer} opened */
+  function fileParts(problem, opened) {
     if (typeof problem !== 'string') return {};
     const { cage, terms, options } = opened.problem;
     const { umbilic, levels, limit, energies, certificate } = core.parseReport(problem);
@@ -100,60 +104,60 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     introducing = true;
     coarse = command.look ?? false;
     startable = !coarse;
-    levelsTold = 0;
-    told = { level: -1, patches: 0, energy: NaN };
+    levelsSent = 0;
+    sent = { level: -1, patches: 0, energy: NaN };
     firstEnergy = NaN;
     savedEvaluations = -1;
     measuredEvaluations = -1;
     samples = [];
     surfaceOccasion.postpone();
-    post({ type: 'opened', run, cage: opened.cage, group: opened.group, ...said(command.problem, opened) });
+    post({ type: 'opened', run, cage: opened.cage, group: opened.group, ...fileParts(command.problem, opened) });
     yieldThen(() => guard(command.run, () => introduce(command.run)));
     if (command.then) go(command.then === 'run' ? 'running' : 'stepping');
   }
 
   /**
-   * A cage that rests is shown finely, a minimizer coarsely until more is asked for; one that is to be minimized at once is not, because
-   * what moves comes sooner.
+   * Sends what the page shows first. A resting cage is sent finely, a viewed minimizer coarsely until the page asks for
+   * more. A run that starts at once is not shown at rest, since its first moved surface then comes sooner.
    * @param {number} opened
    */
   function introduce(opened) {
     if (!introducing || run !== opened) return;
     if (pace === 'resting' && coarse) {
       coarse = false;
-      return tellSurface(MOVING_QUADS, true);
+      return sendSurface(MOVING_QUADS, true);
     }
-    if (pace === 'resting') return tellRest();
-    tellEnergies();
+    if (pace === 'resting') return sendRest();
+    sendEnergies();
     surfaceOccasion.postpone();
   }
 
-  /** @param {Mesh} coarsest limit mesh, which has one quad for each face of the mesh that the surface is evaluated on */
+  /** @param {Mesh} coarsest limit mesh with one quad for each face of the evaluated mesh */
   const facesOf = (coarsest) => coarsest.triangles.length / 6;
 
-  /** Faces of the mesh that the surface is evaluated on; the control mesh may be coarser. */
+  /** Number of faces of the evaluated mesh; the control mesh may be coarser. */
   function patches() {
-    return current().progress.level === told.level ? told.patches : facesOf(current().limitMesh(1));
+    return current().progress.level === sent.level ? sent.patches : facesOf(current().limitMesh(1));
   }
 
-  /** @param {number} quads @param {boolean} [first] whether a finer one is to be asked for */
-  function tellSurface(quads, first = false) {
+  /** @param {number} quads @param {boolean} [first] whether the page should ask for a finer one */
+  function sendSurface(quads, first = false) {
     const { level, energy, total_evaluations } = current().progress;
-    const coarsest = level === told.level ? null : current().limitMesh(1);
-    told = { level, patches: coarsest ? facesOf(coarsest) : told.patches, energy };
+    const coarsest = level === sent.level ? null : current().limitMesh(1);
+    sent = { level, patches: coarsest ? facesOf(coarsest) : sent.patches, energy };
     shown = true;
     const control = current().controlMesh();
-    const density = densityFor(told.patches, quads);
+    const density = densityFor(sent.patches, quads);
     const limit = coarsest && density === 1 ? coarsest : current().limitMesh(density);
     post({ type: 'surfaced', run, evaluations: total_evaluations, limit, control, ...(first && { coarse: true }) });
   }
 
-  function tellSaved() {
+  function sendSaved() {
     savedEvaluations = current().progress.total_evaluations;
     post({ type: 'saved', run, evaluations: savedEvaluations, state: current().state });
   }
 
-  function tellEnergies() {
+  function sendEnergies() {
     const start = now();
     const { energies } = current();
     if (now() - start > MEASURE_LIMIT) slowLevel = current().progress.level;
@@ -161,64 +165,64 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     post({ type: 'measured', run, evaluations: measuredEvaluations, energies });
   }
 
-  function tellSteps() {
+  function sendSteps() {
     const packed = Float64Array.from(samples);
     samples = [];
     post({ type: 'stepped', run, progress: current().progress, samples: packed });
   }
 
-  /** Everything that the page may not have yet, now that the surface rests. */
-  function tellRest() {
+  /** Sends everything about a surface at rest. */
+  function sendRest() {
     introducing = false;
-    tellSurface(RESTING_QUADS);
-    tellSaved();
-    tellEnergies();
+    sendSurface(RESTING_QUADS);
+    sendSaved();
+    sendEnergies();
     prepareAhead(run);
   }
 
   /**
-   * What the first step of a level takes, in parts between the messages, so that the surface moves at once when it is to.
+   * Prepares the first step of a level, in parts between the messages, so that the surface will move at once.
    * @param {number} opened
    */
   function prepareAhead(opened) {
     if (opened !== run || pace !== 'resting') return;
-    if (!startable || told.patches > MOST_PATCHES_AHEAD || current().progress.phase !== 'prepare') return rested();
+    if (!startable || sent.patches > MOST_PATCHES_AHEAD || current().progress.phase !== 'prepare') return rested();
     current().step(1);
     yieldThen(() => guard(opened, () => prepareAhead(opened)));
   }
 
-  function tellLevels() {
-    if (current().progress.ended_levels === levelsTold) return;
+  function sendLevels() {
+    if (current().progress.ended_levels === levelsSent) return;
     const { levels, limit } = current();
-    for (const report of levels.slice(levelsTold)) post({ type: 'levelEnded', run, report, limit });
-    levelsTold = levels.length;
-    tellEnergies(); // The core has just computed them for its own report.
+    for (const report of levels.slice(levelsSent)) post({ type: 'levelEnded', run, report, limit });
+    levelsSent = levels.length;
+    sendEnergies(); // fast: the core has just computed them for its own report
   }
 
   /** @param {boolean} done */
-  function tellProgress(done) {
-    if (samples.length && (done || stepOccasion.due)) stepOccasion.do(tellSteps);
-    tellLevels();
-    if (!done) tellOnTheWay();
+  function sendProgress(done) {
+    if (samples.length && (done || stepOccasion.due)) stepOccasion.do(sendSteps);
+    sendLevels();
+    if (!done) sendWhileRunning();
   }
 
-  /** The first surface that has moved first; then one thing at a time, so that pause and cancel never wait for two. */
-  function tellOnTheWay() {
+  /** Sends the first moved surface first, then one thing per call, so that pause and cancel never wait for two. */
+  function sendWhileRunning() {
     const { total_evaluations: evaluations, level, energy } = current().progress;
-    // The first evaluation is that of the surface at rest.
+    // The first evaluation is at the surface at rest.
     if (evaluations === 1) firstEnergy = energy;
-    if (level === told.level && Number.isNaN(told.energy)) told.energy = energy;
-    // It rises where the core goes on with a finer quadrature rule.
-    const moved = level !== told.level || (energy !== told.energy && !Number.isNaN(energy));
+    if (level === sent.level && Number.isNaN(sent.energy)) sent.energy = energy;
+    // The energy rises if the core continues with a finer quadrature rule.
+    const moved = level !== sent.level || (energy !== sent.energy && !Number.isNaN(energy));
     const quick = stepCost * MEASURE_STEPS < MEASURE_LIMIT && level !== slowLevel;
     if (moved && (surfaceOccasion.due || (!shown && energy < firstEnergy))) {
-      surfaceOccasion.do(() => tellSurface(MOVING_QUADS));
+      surfaceOccasion.do(() => sendSurface(MOVING_QUADS));
     } else if (!shown) {
       return;
     } else if (saveOccasion.due && evaluations !== savedEvaluations) {
-      saveOccasion.do(tellSaved);
+      saveOccasion.do(sendSaved);
     } else if (quick && measureOccasion.due && evaluations !== measuredEvaluations) {
-      measureOccasion.do(tellEnergies);
+      measureOccasion.do(sendEnergies);
     }
   }
 
@@ -232,15 +236,15 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     const { total_evaluations, energy, gradient_norm, level } = minimizer.progress;
     const evaluated = total_evaluations > before;
     if (evaluated) samples.push(total_evaluations, energy, gradient_norm, level);
-    tellProgress(done);
+    sendProgress(done);
     if (done) return end();
     if (pace === 'stepping' && evaluated) return rest();
     keepTicking();
   }
 
   /**
-   * The next tick comes after the messages that have arrived, so that pause and cancel wait for one evaluation at
-   * most.
+   * Schedules the next step after the messages that have arrived, so that pause and cancel wait for at most one
+   * evaluation.
    */
   function keepTicking() {
     if (ticking) return;
@@ -250,31 +254,31 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
 
   function rest() {
     pace = 'resting';
-    if (samples.length) tellSteps();
+    if (samples.length) sendSteps();
     post({ type: 'paused', run, progress: current().progress });
-    tellRest();
+    sendRest();
   }
 
-  /** The answer first, what takes longer afterwards. */
+  /** Sends the answer first, then what takes longer. */
   function end() {
     pace = 'resting';
-    if (samples.length) tellSteps();
+    if (samples.length) sendSteps();
     const levels = current().levels;
     const stop = levels.length ? levels[levels.length - 1].stop : 'cancelled';
     post({ type: 'ended', run, stop, progress: current().progress });
-    tellLevels();
-    tellRest();
+    sendLevels();
+    sendRest();
   }
 
-  /** Ending a level measures it once more, which the user need not wait for. */
+  /** Answers before the core measures the ended level once more, so that the user need not wait. */
   function cancel() {
     if (current().progress.phase === 'done') return end();
     pace = 'resting';
-    if (samples.length) tellSteps();
+    if (samples.length) sendSteps();
     post({ type: 'ended', run, stop: 'cancelled', progress: current().progress });
     current().cancel();
-    tellLevels();
-    tellRest();
+    sendLevels();
+    sendRest();
   }
 
   /** @param {'stepping' | 'running'} newPace */
@@ -283,7 +287,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     pace = newPace;
     slowLevel = -1;
     shown = false;
-    stepOccasion.postpone(); // the first surface that has moved comes first
+    stepOccasion.postpone(); // the first moved surface comes first
     keepTicking();
   }
 
@@ -302,7 +306,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   function obey(command) {
     if (command.type === 'ping') return post({ type: 'ponged' });
     if (command.type === 'open') return open(command);
-    if (command.run > run) return; // The run did not open.
+    if (command.run > run) return; // the run did not open
     if (command.run < run) {
       if (command.type === 'optimize' || command.type === 'step')
         throw new Error('the surface is no longer held by the worker');
@@ -331,8 +335,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   }
 
   /**
-   * Does the work and tells the page when it fails.
-   * @param {number} about the run
+   * Runs `work` and reports to the page if it fails.
+   * @param {number} about the number of the run
    * @param {() => void} work
    */
   function guard(about, work) {

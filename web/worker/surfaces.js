@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The worker that makes the meshes of catalog entries, for downloads and for pictures.
+ * @file The worker that computes meshes of catalog entries, for downloads and pictures.
  */
 import { Cage, Minimizer, load } from '../../wasm/umbilic.js';
 import { SAVED_QUADS, densityFor } from './density.js';
@@ -9,12 +9,12 @@ import { answerRequests } from './requests.js';
 /** @import {CageInput, Mesh, Report} from '../../wasm/types.js' */
 
 /**
- * The generated cage, the final control mesh or the limit mesh as OBJ, or the latter's arrays, of the surface of a report.
- * Limit meshes have about `quads` quads at most.
+ * Asks for the generated cage, the final control mesh or the limit mesh as OBJ, or for the arrays of the limit mesh
+ * (`mesh`), of the surface in a report. Limit meshes have at most about `quads` quads.
  * @typedef {{what: 'cage' | 'control' | 'limit' | 'mesh', cage?: CageInput, report?: Report | null, quads?: number}} SurfaceQuestion
  */
 
-/** The page's way to it; see requests.js. @typedef {(question: SurfaceQuestion) => Promise<string | Mesh>} MakeSurface */
+/** The page's function for asking this worker; see requests.js. @typedef {(question: SurfaceQuestion) => Promise<string | Mesh>} MakeSurface */
 
 /**
  * @param {Minimizer} minimizer

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The worker of the torus family: energies and minimizers in closed form.
+ * @file The worker for the torus family: energies and minimizers in closed form.
  */
 import { load, torusEnergies, torusMinimizer } from '../../wasm/umbilic.js';
 import { answerRequests } from './requests.js';
@@ -8,7 +8,7 @@ import { answerRequests } from './requests.js';
 /** @import {FunctionalName, TorusMinimizer} from '../../wasm/types.js' */
 /** @import {Weights} from '../address/weights.js' */
 
-/** Energies of the tori of these ratios, or the torus of least energy for each of these weights. @typedef {{ratios: number[]} | {weights: Weights[]}} Question */
+/** Asks for the energies of tori of these ratios, or for the torus of least energy for each of these weights. @typedef {{ratios: number[]} | {weights: Weights[]}} Question */
 
 /** @typedef {Record<FunctionalName, number>} TorusEnergies */
 

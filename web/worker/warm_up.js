@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Runs the heavy parts of the core on a small cage while the page rests. A browser compiles WebAssembly well only
- * after it has run for a while, and a call that goes on stays as it was compiled: without this the first metric of a
- * large cage takes three times as long, and Cancel waits for it.
+ * @file Runs the expensive parts of the core on a small cage while the page is idle. A browser optimizes WebAssembly
+ * only after it has run for a while, and a call in progress keeps its unoptimized code. Without this warm-up the first
+ * metric of a large cage takes three times as long, and Cancel has to wait for it.
  */
 
-/** Units of work that begin a level, prepare a metric, factor it and evaluate a few energies. */
+/** Enough units of work to begin a level, build and factor a metric, and evaluate a few energies. */
 const UNITS = 13;
 
 /**

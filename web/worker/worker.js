@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The studio's worker: a session, and what makes its first minute fast.
+ * @file The studio's worker: a session, with a warm-up of the core.
  */
 import { InputError, Minimizer, parseReport } from '../../wasm/umbilic.js';
 import { host, post, yieldThen } from './host.js';
@@ -10,7 +10,7 @@ import { warmUp } from './warm_up.js';
 const core = { InputError, Minimizer, parseReport };
 let warm = false;
 
-/** Not before the first surface has been told, which must not wait for it. */
+/** Called after the first surface has been sent, which must not wait for the warm-up. */
 function rested() {
   if (warm) return;
   warm = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Forward dual numbers with several tangents, over doubles or lanes, for the templates of curvature and densities.
+/// Dual numbers with several tangents (forward differentiation), over doubles or lanes, for the templates of curvature
+/// and densities.
 #pragma once
 
 #include "base/lanes.h"

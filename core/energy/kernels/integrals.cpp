@@ -11,7 +11,7 @@
 namespace umbilic::UMBILIC_KERNELS {
 namespace {
 
-/// Running sums over the samples in each lane.
+/// Sums over the samples, one per lane.
 template <class L>
 struct LaneSums {
   L second{}, third{}, area{}, gaussian{}, smallest;
@@ -34,7 +34,7 @@ struct LaneSums {
   }
 };
 
-/// Adjoints of weight * area * density with respect to the curvature.
+/// The adjoint of the curvature for the integrand weight * area * density.
 template <bool kThird, class L>
 L integrand(const double* weights, const Curvature<L>& k, const L& weight, Curvature<L>& adjoint) {
   const L measure = weight * k.area;
@@ -43,7 +43,8 @@ L integrand(const double* weights, const Curvature<L>& k, const L& weight, Curva
   return measure * density;
 }
 
-/// The samples [s, s + lanes) of patch p. Flat, because lanes that are passed to functions go through memory.
+/// The samples [s, s + lanes) of patch p. One long function, because passing lanes to functions would go through
+/// memory.
 template <bool kSecond, bool kThird, class L>
 [[gnu::flatten]] inline void integrate_samples(const double* weights, const JetBlock& block, int p, int s,
                                                const L& weight, LaneSums<L>& sums) {

@@ -8,7 +8,7 @@
 
 namespace umbilic::UMBILIC_KERNELS {
 
-/// As EnergyKernels says.
+/// See EnergyKernels.
 void integrate(const double* weights, bool second_order, bool third_order, const JetBlock& block, EnergySums& sums);
 void integrate_all(const JetBlock& block, FunctionalSums& sums);
 

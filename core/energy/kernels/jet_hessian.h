@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Second derivatives of a weighted sum of densities by the jet: the gradient's code on dual numbers.
+/// Second derivatives of a weighted sum of densities by the jet: the gradient's code, evaluated on dual numbers.
 ///
-/// f(jet) = weight (rho |X_u x X_v| + area_factor |X_u x X_v|). C is linear in the third derivatives, and only in their
-/// normal parts, so that their own block is n n^T times a 4 x 4 matrix of the density, and directions along first and
-/// second derivatives suffice for the rest. Without C the same is true of II and the second derivatives, and directions
-/// along the first suffice.
+/// f(jet) = weight (rho + area_factor) |X_u x X_v|. Structure saves most of the work. C depends linearly on the third
+/// derivatives, and only on their normal parts, so the block of the third derivatives is n n^T times a 4 x 4 matrix of
+/// the density; only the first and second derivatives need dual numbers. If f does not depend on C, the same holds for
+/// II and the second derivatives, and only the first derivatives need them.
 #pragma once
 
 #include "energy/densities.h"
@@ -15,7 +15,7 @@
 
 namespace umbilic::UMBILIC_KERNELS {
 
-/// f's gradient.
+/// The gradient of f.
 template <bool kThird, class T>
 Jet<T> integrand_gradient(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight) {
   const CurvatureFrame<T, kThird> frame(jet);
@@ -28,7 +28,7 @@ Jet<T> integrand_gradient(const WeightedIntegrand& f, const Jet<T>& jet, const T
   return frame.pull_back(adjoint);
 }
 
-/// Entry (i, j) over the coordinates c * derivatives + d of the jet, d from X_u; derivatives = kThird ? 9 : 5.
+/// Entry (i, j) with i and j counting c * derivatives + d, where d = 0 is X_u and derivatives = kThird ? 9 : 5.
 template <bool kThird, class T>
 class JetHessian {
  public:
@@ -50,7 +50,7 @@ class JetHessian {
  private:
   static int index(int d, int coordinate) { return coordinate * kDerivatives + d; }
 
-  /// Columns (and rows) of the three coordinates of a derivative of first or second order.
+  /// Columns and rows of the three coordinates of a first or second derivative.
   void along_derivative(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight, int d) {
     using Number = DualNumber<T, 3>;
     Jet<Number> moved;
@@ -79,7 +79,7 @@ class JetHessian {
     }
   }
 
-  /// The block of the second derivatives, where C does not count.
+  /// The block of the second derivatives, if f does not depend on C.
   void along_second(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight) {
     const CurvatureFrame<T, false> frame(jet);
     const Curvature<T>& k = frame.value();
@@ -130,7 +130,7 @@ class JetHessian {
     }
   }
 
-  /// Entries n n^T t[j] between the derivatives d and first + j.
+  /// The entries n n^T t[j] between the derivatives d and first + j.
   template <int kCount>
   void store_normal_block(const Vec3<T>& normal, int d, int first, const T (&t)[kCount]) {
     const T n[3] = {normal.x, normal.y, normal.z};

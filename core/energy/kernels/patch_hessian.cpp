@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Contracts the jets' Hessians with the basis, several samples at a time.
+/// Multiplies the Hessians of the jets by the basis from both sides, several samples at a time.
 ///
-/// Of every two coordinates the patch's matrix is B^T (D B) with B the basis functions' derivatives at all samples and
-/// D the jets' Hessians: a product of long columns, in tiles that stay in registers.
+/// For each pair of coordinates the patch's matrix is B^T (D B), with B the basis functions' derivatives at all samples
+/// and D the Hessians of the jets. The product of these long columns is done in tiles that stay in registers.
 #include "energy/kernels/patch_hessian.h"
 
 #include "base/lanes.h"
@@ -18,11 +18,11 @@ using L = ShortLanes;
 constexpr int kPairs = 6;
 constexpr int kFirst[kPairs] = {0, 1, 1, 2, 2, 2}, kSecond[kPairs] = {0, 0, 1, 0, 1, 2};
 
-/// Tiles of basis functions whose sums stay in registers.
+/// Tile sizes of basis functions; the sums of a tile stay in registers.
 constexpr int kTileRows = 4, kTileColumns = kLaneCount == 8 ? 4 : 2;
 
-/// The samples [begin, begin + count) of a patch: row (derivative, sample) of a column, padded with zeros to whole
-/// lanes.
+/// The samples [begin, begin + count) of a patch. A packed column has a row for each derivative and sample, padded with
+/// zeros to a multiple of the lanes.
 struct Part {
   int begin, count;
   int rows, stride;
@@ -47,7 +47,7 @@ void pack(const Part& part, const double* basis, const HessianPatch& patch, doub
   }
 }
 
-/// The Hessians of the jets at the part's samples, entry (d, e) of each pair of coordinates: [pair][d][e][s].
+/// The Hessians of the jets at the part's samples: entry (d, e) for each pair of coordinates, [pair][d][e][s].
 template <bool kThird>
 void jet_hessians(const Part& part, const HessianPatch& patch, const WeightedIntegrand& f, double* hessians) {
   constexpr int kDerivatives = kThird ? kThirdOrderCount : kSecondOrderCount;
@@ -66,7 +66,8 @@ void jet_hessians(const Part& part, const HessianPatch& patch, const WeightedInt
   }
 }
 
-/// Of a few columns and samples from `s` on: products = sum over e of D(d, e) times the basis functions' derivative e.
+/// For a few columns and samples, starting at s: products = sum over e of D(d, e) times derivative e of the basis
+/// function.
 template <int kDerivatives, class Samples>
 void apply_tile(const Part& part, const double* hessians, const double* packed, double* products) {
   constexpr int kTall = kDerivatives == kThirdOrderCount ? 3 : 5, kWide = kDerivatives == kThirdOrderCount ? 4 : 2;
@@ -93,7 +94,7 @@ void apply_tile(const Part& part, const double* hessians, const double* packed, 
   }
 }
 
-/// products[column * stride + d * count + s], of all columns and samples.
+/// products[column * stride + d * count + s] for all columns and samples.
 template <int kDerivatives>
 void apply(const Part& part, const double* hessians, const double* packed, int columns, double* products) {
   for (int j = 0; j < columns; j += HessianPatch::kColumnMultiple) {
@@ -108,7 +109,7 @@ void apply(const Part& part, const double* hessians, const double* packed, int c
   }
 }
 
-/// sums[i * row_length + j] += the product of the columns i of `packed` and j of `products`, a tile at a time.
+/// sums[i * row_length + j] += column i of `packed` times column j of `products`, a tile at a time.
 void accumulate(const Part& part, const double* packed, const double* products, int columns, bool symmetric,
                 double* sums, int row_length) {
   for (int i = 0; i < columns; i += kTileRows) {
@@ -133,7 +134,7 @@ void accumulate(const Part& part, const double* packed, const double* products, 
   }
 }
 
-/// The next multiple of the size of lanes.
+/// The first address in `scratch` that is aligned to lanes.
 double* aligned(double* scratch) {
   const auto address = reinterpret_cast<__UINTPTR_TYPE__>(scratch);
   return scratch + (sizeof(Lanes) - address % sizeof(Lanes)) % sizeof(Lanes) / sizeof(double);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The second derivatives of one patch's integral by its local points: W^T D W, with D the jets' Hessians and W the
+/// Second derivatives of one patch's integral by its local points: W^T D W, with D the Hessians of the jets and W the
 /// basis.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace umbilic::UMBILIC_KERNELS {
 
-/// As EnergyKernels says.
+/// See EnergyKernels.
 void patch_hessian(const HessianPatch& patch, const WeightedIntegrand& f, double* scratch, double* out);
 
 }  // namespace umbilic::UMBILIC_KERNELS

@@ -12,8 +12,8 @@ namespace {
 
 using Offset = std::ptrdiff_t;
 
-/// Sizes of the tiles, from what measures best: lane vectors of rows by six points, and table columns by three. Their
-/// sums stay in 16 or, with AVX-512, in 32 registers; WebAssembly's compilers need more of them for themselves.
+/// Tile sizes, chosen by measurement: lane vectors of rows by six points, and table columns by three. The sums stay in
+/// 16 registers, or 32 with AVX-512; WebAssembly's compilers need more of the registers for themselves.
 #ifdef __wasm__
 constexpr int kVectorsBySix = 1, kTall = 2;
 #else

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Products of a tall table with a narrow block of points, and the transpose, in lanes over the table's rows.
+/// Products of a tall table with a few points, and the transposed products, vectorized over the table's rows.
 ///
-/// The library's general matrix product has no kernel for WebAssembly; these loops compile to good code everywhere
-/// because the shapes are known: thousands of rows, tens of columns, a few points, mostly a multiple of three.
+/// Eigen's matrix product has no kernel for WebAssembly. These loops compile to good code everywhere because the shapes
+/// are known: thousands of rows, tens of columns, and a few points, usually a multiple of three.
 #pragma once
 
 #include "base/kernel_namespace.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Contracts the coefficients of u first, then those of v, in lanes over the nodes along u.
+/// Contracts the points with the basis in u first, then in v, vectorized over the nodes along u.
 #include "surface/kernels/regular_contraction.h"
 
 #include "base/lanes.h"
@@ -15,7 +15,7 @@ constexpr int highest_order(int derivatives) {
 
 constexpr int padded(int points) { return (points + kSampleMultiple - 1) / kSampleMultiple * kSampleMultiple; }
 
-/// Coordinates at a time, so that four sums of each stay in registers.
+/// Number of coordinates processed together, so that four sums of each stay in registers.
 constexpr int kTile = 3;
 
 template <int kPoints>
@@ -23,7 +23,7 @@ struct Constant {
   constexpr operator int() const { return kPoints; }
 };
 
-/// Calls `body` with the number of points as a constant where the loops over it are worth unrolling.
+/// Calls `body` with the number of points as a compile-time constant if unrolling its loops is worthwhile.
 template <class Body>
 void with_points(int points, const Body& body) {
   switch (points) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The tensor product of surface/regular_kernel.h, contracted, and its transpose.
+/// The contractions of surface/regular_kernel.h and their transposes.
 #pragma once
 
 #include "base/kernel_namespace.h"
@@ -8,7 +8,7 @@
 
 namespace umbilic::UMBILIC_KERNELS {
 
-/// As RegularKernel::jets and RegularKernel::pull_back.
+/// See RegularKernel::jets and RegularKernel::pull_back.
 void regular_jets(const RegularGrid& grid, const double* points, int derivatives, double* jets);
 void pull_back_regular_jets(const RegularGrid& grid, const double* adjoint, int derivatives, double* gradient);
 

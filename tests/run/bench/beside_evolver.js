@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Surface Evolver's schedules and umbilic on the same surface, the genus-2 bending minimizer, one core each.
+ * @file Compares umbilic with schedules of Surface Evolver on the same surface, the genus-2 bending minimizer, on one
+ * core.
  */
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -13,7 +14,7 @@ import { digits, reached } from './tables.js';
 /** @typedef {{ seconds: number, cpuSeconds: number }} Times */
 /**
  * @typedef {object} UmbilicRow
- * @property {'whole' | 'sector'} domain a sector of Evolver's is umbilic's surface with its symmetry
+ * @property {'whole' | 'sector'} domain 'sector': umbilic uses the symmetry, as Evolver does with a sector
  * @property {Times | null} tenthPercent from the start of the run, with the process's CPU time
  * @property {Times | null} twentiethPercent 0.05 %
  * @property {Times} process of `umbilic optimize` to level 2, from its start to its end
@@ -26,7 +27,7 @@ const lastLevel = 2;
 
 /** @param {'whole' | 'sector'} domain @param {string} cage file @returns {UmbilicRow} */
 function umbilicRow(domain, cage) {
-  const symmetry = domain === 'whole' ? 'whole' : 'symmetric';
+  const symmetry = domain === 'whole' ? 'unsymmetric' : 'symmetric';
   const run = benchRun('native', { cage: 'two-3', functional: 'bending', lastLevel, metric: 'auto', symmetry }, 5);
   const at = (/** @type {number} */ tolerance) => {
     const step = reached(run.steps, exactBending, tolerance);
@@ -42,7 +43,7 @@ function umbilicRow(domain, cage) {
       ...(domain === 'whole' ? ['--no-symmetry'] : []),
     ]),
     energy: last.energyReported,
-    vertices: last.patches - 2, // of a closed quad mesh of genus 2
+    vertices: last.patches - 2, // Euler's formula for a closed quad mesh of genus 2
   };
 }
 

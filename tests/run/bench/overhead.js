@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What L-BFGS itself costs, on a quadratic in the identity.
+ * @file The cost of L-BFGS itself, measured on a quadratic function with the identity metric.
  */
 import { bench } from './programs.js';
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Runs the benchmark's programs and the command line, a process for each measurement, and keeps the best of several rounds:
- * other work on the machine only slows them.
+ * @file Runs the benchmark programs and the command line, one process per measurement, and keeps the fastest of several
+ * rounds, because other work on the machine can only slow them down.
  */
 import { execFileSync, spawnSync } from 'node:child_process';
 import path from 'node:path';
@@ -22,15 +22,15 @@ import { root } from '../process.js';
  * @property {string} stop
  */
 /** @typedef {{ seconds: number, group: string, order: number, levels: LevelRow[], steps: import('./tables.js').Step[] }} RunRow */
-/** @typedef {{ cage: string, functional: string, lastLevel: number, metric: string, symmetry: 'symmetric' | 'whole' }} RunChoice */
+/** @typedef {{ cage: string, functional: string, lastLevel: number, metric: string, symmetry: 'symmetric' | 'unsymmetric' }} RunChoice */
 
 const native = path.join(root, 'build/native');
 
 /**
- * What the benchmark measures of a subject.
+ * The measurements of one subject of the benchmark.
  * @param {Platform} platform
  * @param {...string} args
- * @returns {any} as its main.cpp says
+ * @returns {any} described in the subject's main.cpp
  */
 export function bench(platform, ...args) {
   const [program, ...first] =
@@ -41,7 +41,7 @@ export function bench(platform, ...args) {
 }
 
 /**
- * The quickest of up to `rounds` runs, of as many as fit into a few seconds.
+ * The fastest of at most `rounds` runs, fewer if they would take more than a few seconds.
  * @param {Platform} platform
  * @param {RunChoice} choice
  * @param {number} [rounds]
@@ -59,7 +59,7 @@ export function benchRun(platform, { cage, functional, lastLevel, metric, symmet
 }
 
 /**
- * The command line's process, from its start to its end, the quickest of some rounds.
+ * The times of a whole process of the command line, the fastest of some rounds.
  * @param {string[]} args
  * @param {number} [rounds]
  * @returns {{ seconds: number, cpuSeconds: number }}

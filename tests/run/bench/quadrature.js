@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The errors of quadrature rules, from which the rules in use were chosen.
+ * @file The errors of quadrature rules, by which the rules in use were chosen.
  */
 import { bench } from './programs.js';
 

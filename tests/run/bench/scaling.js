@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How an evaluation and a level's solve grow with the patches, without symmetry.
+ * @file How the time of an evaluation and of a level grows with the number of patches, without symmetry.
  */
 import { bench } from './programs.js';
 import { digits, fitExponent } from './tables.js';
@@ -17,7 +17,7 @@ function exponents(rows) {
   return [of((row) => row.evaluationSeconds), of((row) => row.solveSeconds), of((row) => row.evaluations)];
 }
 
-/** Those in the last row's metric: where it changes, so does the cost. @param {ScalingRow[]} rows */
+/** The rows with the same metric as the last one, since the cost depends on the metric. @param {ScalingRow[]} rows */
 const ofLastMetric = (rows) => rows.filter((row) => row.metric === rows[rows.length - 1].metric);
 
 /** @param {ScalingRow[]} rows @returns {import('./tables.js').Table[]} */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Whole runs from the catalog's cages to level 3 with symmetry, natively and as WebAssembly.
+ * @file Complete runs from the catalog's cages to level 3 with symmetry, natively and as WebAssembly.
  */
 import { benchRun } from './programs.js';
 import { digits, reached } from './tables.js';
@@ -9,7 +9,7 @@ import { digits, reached } from './tables.js';
 /** @typedef {{ seconds: number, secondsToTenthPercent: number, energy: number, evaluations: number[], metrics: string[], stops: string[] }} Timed */
 /** @typedef {{ shape: string, functional: string, group: string, patches: number, native: Timed, wasm: Timed }} ShapeRow */
 
-/** All frames of the catalog with at most six arms per junction, and what has no junctions. */
+/** All frames of the catalog with at most six arms per junction, and the shapes without junctions. */
 const shapes = [
   ...['two-3', 'two-4', 'two-6', 'tetrahedron-frame', 'cube-frame', 'octahedron-frame', 'hexagonal-prism-frame'],
   ...['truncated-tetrahedron-frame', 'dodecahedron-frame', 'torus', 'cube'],
@@ -41,10 +41,10 @@ export function measure() {
   );
 }
 
-/** Evaluations of a level for each of the level before. @param {number[]} evaluations */
+/** Ratios of the evaluations of successive levels. @param {number[]} evaluations */
 const growth = (evaluations) => evaluations.slice(1).map((count, i) => (count / evaluations[i]).toFixed(1));
 
-/** The one name where all are the same. @param {string[]} names */
+/** A single name if all are the same. @param {string[]} names */
 const joined = (names) => (new Set(names).size === 1 ? names[0] : names.join('/'));
 
 const clock = 'seconds since the start of the run, setup included';

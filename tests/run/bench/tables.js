@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the benchmark makes of its measurements: tables for the terminal and for the README, exponents, moments.
+ * @file Turns measurements of the benchmark into tables for the terminal and the README, exponents, and times to an
+ * accuracy.
  */
 
 /** @typedef {string | number} Cell */
 /** @typedef {{ title: string, head: string[], rows: Cell[][] }} Table */
 /** @typedef {[seconds: number, cpuSeconds: number, energy: number]} Step of a run: after an evaluation or a part of a metric */
 
-/** Columns padded to their widest cell, the first to the left. @param {Table} table @returns {string} */
+/** A table as text. Columns are padded to their widest cell; the first is aligned to the left. @param {Table} table @returns {string} */
 export function plainTable({ title, head, rows }) {
   const cells = [head, ...rows].map((row) => row.map(String));
   const widths = head.map((_, i) => Math.max(...cells.map((row) => row[i].length)));
@@ -38,7 +39,8 @@ export function fitExponent(xs, ys) {
 }
 
 /**
- * The first step from which on the energy stays within `tolerance` of `target`, relative to it; undefined where the last does not.
+ * The first step after which the energy stays within a relative `tolerance` of `target`; undefined if the last step
+ * does not.
  * @param {Step[]} steps
  * @param {number} target
  * @param {number} tolerance
@@ -50,11 +52,11 @@ export function reached(steps, target, tolerance) {
 }
 
 /**
- * Replaces what stands between two lines.
+ * Replaces the text between two lines.
  * @param {string} text
  * @param {string} begin the line before, which stays
  * @param {string} end the line after, which stays
- * @param {string} inner without a line's end
+ * @param {string} inner without a line break at its end
  * @returns {string}
  */
 export function replaceBetween(text, begin, end, inner) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Exponents, moments and tables of the benchmark, of numbers that are known.
+ * @file Exponents, times and tables of the benchmark, for numbers whose results are known.
  */
 import { describe, expect, test } from '@jest/globals';
 import { digits, fitExponent, markdownTable, plainTable, reached, replaceBetween } from './tables.js';

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Throughput of energy and gradient by instruction set, its fraction of the peak, and the seconds per phase of a level.
+ * @file Evaluations of energy and gradient per second by instruction set, as a fraction of the peak, and the time of
+ * each phase of a level.
  */
 import { bench } from './programs.js';
 import { percent } from './tables.js';
@@ -14,7 +15,7 @@ import { percent } from './tables.js';
 
 const rounds = 3;
 
-/** The best of every figure. @param {Speed[]} runs @returns {Speed} */
+/** The best value of each measurement. @param {Speed[]} runs @returns {Speed} */
 function best(runs) {
   return {
     peaks: runs[0].peaks.map((row, i) => ({

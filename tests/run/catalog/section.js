@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the README says of the catalog, all of it from its numbers: the paper's tables beside ours, and whether its claims hold.
+ * @file The README's section on the catalog, generated from its numbers: the paper's tables beside ours, and whether
+ * the paper's claims hold.
  */
-import { compact, upperBound, whole, withError } from '../../../web/words/numbers.js';
+import { compact, integer, upperBound, withError } from '../../../web/words/numbers.js';
 import { markdownTable } from '../bench/tables.js';
 
 /** @typedef {import('../bench/tables.js').Table} Table */
@@ -24,17 +25,17 @@ import { markdownTable } from '../bench/tables.js';
 /** @typedef {{shape: string, functional: string, thickness: number, energy: number, level: number, stop: string}} Start */
 /** @typedef {{shapes: Shape[], functionals: {name: string}[], entries: Entry[], starts: Start[]}} Catalog */
 
-/** With two digits of the error, as on the page. @param {number} energy @param {number} bar */
+/** An energy with its error, to two digits of the error as on the page. @param {number} energy @param {number} bar */
 function limitWords(energy, bar) {
   const { value, error } = withError(energy, bar, 2);
   return `${value} ± ${error}`;
 }
 
-/** @param {number} energy @param {number | null} bar none where it is an upper bound */
+/** @param {number} energy @param {number | null} bar null if the energy is an upper bound */
 const boundWords = (energy, bar) => (bar === null ? `≤ ${upperBound(energy)}` : limitWords(energy, bar));
 
-/** Four digits. @param {number} value */
-const short = (value) => (value >= 1000 ? whole(value) : compact(value, 4));
+/** A number with four digits. @param {number} value */
+const short = (value) => (value >= 1000 ? integer(value) : compact(value, 4));
 
 /** @param {Entry | undefined} entry */
 export function energyWords(entry) {
@@ -84,7 +85,7 @@ function tableOne(catalog) {
           name,
           entry.group.name,
           energyWords(entry),
-          whole(entry.paper),
+          integer(entry.paper),
           (entry.energy / entry.paper).toFixed(4),
           last,
         ],
@@ -93,7 +94,7 @@ function tableOne(catalog) {
   }));
 }
 
-/** Everything. @param {Catalog} catalog @returns {Table} */
+/** All energies of the catalog. @param {Catalog} catalog @returns {Table} */
 function allEnergies(catalog) {
   const find = lookup(catalog);
   return {
@@ -124,7 +125,7 @@ function perJunction(catalog, arms) {
 }
 
 /**
- * Of shapes of one genus, whether more junctions of fewer arms cost less.
+ * For shapes of the same genus: whether more junctions with fewer arms have less energy.
  * @param {Catalog} catalog
  * @returns {Table}
  */
@@ -159,7 +160,7 @@ function preferences(catalog) {
   };
 }
 
-/** The other family. @param {Catalog} catalog @returns {Table} */
+/** Energies from the other family of cages. @param {Catalog} catalog @returns {Table} */
 function families(catalog) {
   return {
     title: 'The same shape from two families of cages:',
@@ -176,7 +177,7 @@ function families(catalog) {
   };
 }
 
-/** Figure 3. @param {Catalog} catalog @returns {Table} */
+/** Energies from cages of different thickness, the paper's figure 3. @param {Catalog} catalog @returns {Table} */
 function starts(catalog) {
   const keys = [...new Set(catalog.starts.map((s) => `${s.shape} ${s.functional} ${s.level}`))];
   return {
@@ -215,7 +216,7 @@ const range = (values, words = short) => `${words(Math.min(...values))} to ${wor
 const spread = (values) => (Math.max(...values) / Math.min(...values)).toFixed(2);
 
 /**
- * The paper's section 4.3: costs per junction, and which junctions are cheaper.
+ * The claims of the paper's section 4.3: the cost per junction, and which junctions are cheaper.
  * @param {Catalog} catalog
  * @returns {string[]} sentences
  */
@@ -239,7 +240,7 @@ function claims(catalog) {
 }
 
 /**
- * Whether the paper's columns could be half of what is integrated here: doubled, they are upper bounds.
+ * Whether the paper's columns could be half of our integrals: then, doubled, they would be upper bounds.
  * @param {Catalog} catalog
  * @returns {string[]} sentences
  */

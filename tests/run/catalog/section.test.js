@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The catalog's tables, of a small catalog whose numbers are known.
+ * @file The catalog's tables, for a small catalog with known numbers.
  */
 import { describe, expect, test } from '@jest/globals';
 import { catalogSection, energyWords } from './section.js';

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The catalog's thumbnails: every minimizer, drawn by the page's own renderer on nothing, as WebP files beside the catalog.
+ * @file The catalog's thumbnails: every minimizer, drawn by the page's renderer on a transparent background, as WebP
+ * files in the catalog's folder.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -17,7 +18,7 @@ const folder = path.join(catalogFolder, 'pictures');
 const source = path.join(root, 'tests/run/pictures');
 const outDir = path.join(root, 'build/pictures');
 
-/** Of the WebP encoder; about 6 kB for a picture. */
+/** Quality of the WebP encoder; a picture has about 6 kB. */
 const QUALITY = 0.82;
 
 /** The canvas with its transparency as WebP. @param {Page} page @returns {Promise<Buffer>} */

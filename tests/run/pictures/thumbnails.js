@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Draws catalog entries with the page's own renderer, a row at a time: one light, one view and one colour scale for all of a row.
- * Each surface fills the canvas.
+ * @file Draws catalog entries with the page's renderer. All entries of a row share the lights, the camera's direction
+ * and the colour scale; each surface fills the canvas.
  */
 import { Vector3 } from 'three';
 import { Minimizer, load } from '../../../wasm/umbilic.js';
@@ -13,17 +13,18 @@ import { createScene } from '../../../web/scene/scene.js';
 /** @import {Mesh, Report} from '../../../wasm/types.js' */
 
 const QUADS = 60_000;
-/** Part of the canvas that a surface spans, across or up. */
+/** The fraction of the canvas, across or up, that a surface fills. */
 const FILLED = 0.94;
 
 /**
- * The colours of a row span the middle one of its surfaces' own ranges of K, in 1/radius², and no less than this: a sphere has 1.
+ * The smallest range of K, in 1/radius², of a row's colours; a sphere has K = 1. The range is the median of the
+ * surfaces' own ranges, unless that is smaller.
  */
 const LEAST_RANGE = 3;
 
 /**
- * Where each shape is seen from: the azimuth about the axis of its symmetry and the elevation, in degrees. Chosen so that its junctions and
- * the way through it are seen.
+ * The direction from which each shape is seen: the azimuth about its symmetry axis and the elevation, in degrees,
+ * chosen so that its junctions and its holes are visible.
  * @type {Record<string, [azimuth: number, elevation: number]>}
  */
 const views = {
@@ -43,7 +44,7 @@ const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('canvas'
 const scene = createScene(canvas, { calm: true, slow: true, rested: () => {} });
 scene.setUp('z');
 
-/** Of unit size, so that curvatures of one row compare, and where the scene draws it. @param {Mesh} mesh */
+/** Moves the mesh to the origin and scales it to unit size, so that curvatures in a row can be compared. @param {Mesh} mesh */
 function normalize(mesh) {
   const { centre, radius } = extent(mesh.positions);
   mesh.positions.forEach((value, i) => (mesh.positions[i] = (value - centre[i % 3]) / radius));
@@ -61,12 +62,12 @@ function limitMesh(report) {
   return normalize(mesh);
 }
 
-/** Moves the camera so that the surface spans the canvas and stands in its middle. @param {Float32Array} positions */
+/** Moves the camera so that the surface fills the canvas and is centred. @param {Float32Array} positions */
 function frame(positions) {
   const { controls } = scene;
   const camera = /** @type {import('three').PerspectiveCamera} */ (controls.object);
   const point = new Vector3();
-  // What the scene sets them to when it draws does not serve before it has.
+  // The scene sets these only when it draws, but the projection below needs them now.
   [camera.near, camera.far] = [0.1, 100];
   camera.updateProjectionMatrix();
   for (let round = 0; round < 6; round++) {
@@ -97,9 +98,9 @@ function frame(positions) {
 let meshes = [];
 let shape = '';
 
-/** The page's end of `npm run pictures`. */
+/** The functions that `npm run pictures` calls in the page. */
 const thumbnails = {
-  /** @param {string} name of a row @param {Report[]} reports of its entries */
+  /** @param {string} name the row's shape @param {Report[]} reports the reports of its entries */
   async open(name, reports) {
     await load();
     meshes = reports.map(limitMesh);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The catalog as a table of comma-separated values (RFC 4180), a line per entry, with full digits.
+ * @file The catalog as comma-separated values (RFC 4180): one line per entry, numbers with all digits.
  */
 
 /** @import {Catalog, CatalogEntry, CatalogShape} from '../../files/catalog.js' */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the catalog's actions cause outside its state: the address, and files to save. Compares the state before and after; decides
- * nothing.
+ * @file The catalog page's side effects: the address, and files to save. They follow from the states before and after
+ * an action.
  */
 import { formatCatalogAddress } from '../../address/catalog.js';
 import { catalogCsv } from './csv.js';
@@ -11,7 +11,7 @@ import { findEntry } from './select.js';
 /** @import {MakeSurface} from '../../worker/surfaces.js' */
 /** @import {Action, Download, EntryId, State} from './types.js' */
 
-/** What is made of an entry's surface, and what its file's name ends with. @type {Record<Download, {what: Parameters<MakeSurface>[0]['what'], ending: string, type: string}>} */
+/** What each download contains, and the ending and type of its file. @type {Record<Download, {what: Parameters<MakeSurface>[0]['what'], ending: string, type: string}>} */
 const downloads = {
   cage: { what: 'cage', ending: '.cage.obj', type: 'model/obj' },
   control: { what: 'control', ending: '.control.obj', type: 'model/obj' },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The catalog's state at the start, and what the user's actions make of it. Pure; what must be loaded or saved is in effects.js.
+ * @file The catalog page's initial state and reducer. Pure; loading and saving are in effects.js.
  */
 import { MOST } from '../../address/compare.js';
 
@@ -16,7 +16,7 @@ export function initialState({ address, notices }, theme) {
   return { catalog: null, problem: '', address, notices, chosen: [], exporting: null, exportProblem: '', theme };
 }
 
-/** The first press orders upwards, the next one downwards. @param {CatalogAddress} address @param {string} key */
+/** The order after a press on a column's head: ascending at first, then descending. @param {CatalogAddress} address @param {string} key */
 function turned({ sort, direction }, key) {
   const downwards = sort === key && direction === 'asc';
   return { sort: key, direction: /** @type {'asc' | 'desc'} */ (downwards ? 'desc' : 'asc') };

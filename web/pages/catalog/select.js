@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the views read off the state: the rows that are shown in their order, what rows can be filtered by, and single entries.
+ * @file What the views derive from the state: the visible rows in order, the values to filter by, and single entries.
  */
 import { entryName } from '../../address/compare.js';
 import { shapeTitle } from '../../words/entries.js';
@@ -18,7 +18,7 @@ export function allRows({ shapes, functionals, entries }) {
   }));
 }
 
-/** The symmetry of a row: that of its entries. @param {Row} row */
+/** The symmetry group of a row, which all its entries share. @param {Row} row */
 export function groupOf({ entries }) {
   return entries.find((entry) => entry?.group)?.group ?? null;
 }
@@ -40,7 +40,7 @@ function passes(row, { genus, arms, group, status, search }) {
 }
 
 /**
- * What a row is ordered by; null where it has no such number, which comes last either way.
+ * The number by which a row is sorted; null if it has none, and then it comes last in either direction.
  * @param {Row} row
  * @param {string} key
  * @returns {number | null}
@@ -61,7 +61,7 @@ function sorted(rows, { sort: key, direction }) {
   });
 }
 
-/** The rows that are shown. @param {State} state @returns {Row[]} */
+/** The rows that pass the filter, sorted. @param {State} state @returns {Row[]} */
 export function visibleRows({ catalog, address }) {
   if (!catalog) return [];
   return sorted(

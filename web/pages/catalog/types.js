@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The types of the catalog's one state object and of the actions that change it; nothing here runs.
+ * @file The types of the catalog page's state and actions; no code.
  */
 
 /** @import {CatalogAddress} from '../../address/catalog.js' */
@@ -9,20 +9,21 @@
 
 /** "two-3.mvs_cross": shape and functional. @typedef {string} EntryId */
 
-/** What decides which rows are shown. @typedef {Pick<CatalogAddress, 'genus' | 'arms' | 'group' | 'status' | 'search'>} Filter */
+/** The filter of the rows. @typedef {Pick<CatalogAddress, 'genus' | 'arms' | 'group' | 'status' | 'search'>} Filter */
 
 /**
- * What can be downloaded of an entry: the generated cage, the final control mesh and the limit mesh as OBJ, and the latter as STL and GLB.
+ * The downloads of an entry: the generated cage, the final control mesh and the limit mesh as OBJ, and the limit mesh
+ * as STL and GLB.
  * @typedef {'cage' | 'control' | 'limit' | 'stl' | 'glb'} Download
  */
 
 /**
  * @typedef {object} State
  * @property {Catalog | null} catalog null until it is loaded
- * @property {string} problem why it cannot be
- * @property {CatalogAddress} address the order, the rows, and the entry whose details are open
- * @property {string[]} notices what the address says that is not understood
- * @property {EntryId[]} chosen for comparison, in the order in which they were
+ * @property {string} problem why the catalog could not be loaded; empty if it could
+ * @property {CatalogAddress} address sorting, filter, and the entry whose details are open
+ * @property {string[]} notices sentences about invalid parts of the address
+ * @property {EntryId[]} chosen entries chosen for comparison, in the order in which they were chosen
  * @property {{entry: EntryId, what: Download} | null} exporting
  * @property {string} exportProblem why the last download failed
  * @property {Theme} theme

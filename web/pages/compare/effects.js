@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the comparison's actions cause outside its state: surfaces to load, and the page's address. Decides nothing.
+ * @file The comparison page's side effects: surfaces to load, and the page's address.
  */
 import { entryName, formatCompareAddress } from '../../address/compare.js';
 import { spreadCurvatures, withUnitArea } from './equal_area.js';
@@ -11,7 +11,7 @@ import { entryOf } from './reduce.js';
 /** @import {MakeSurface} from '../../worker/surfaces.js' */
 /** @import {Action, Shown, State} from './types.js' */
 
-/** Quads of all surfaces together, at most about: they are turned together. */
+/** About the largest number of quads of all surfaces together, since they turn together. */
 const QUADS = 160_000;
 
 /**

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The energies of entries side by side: which one has the least of each functional. Pure.
+ * @file The energies of entries side by side, with the smallest of each functional marked. Pure.
  */
 import { functionals } from '../../words/functionals.js';
 
 /** @import {FunctionalName} from '../../../wasm/types.js' */
 /** @import {CatalogEntry} from '../../files/catalog.js' */
 
-/** @typedef {{value: number | null, least: boolean}} Cell `value` null where there is none or it diverges */
+/** @typedef {{value: number | null, least: boolean}} Cell `value` is null if there is none or it diverges */
 
-/** Energies that differ by less, relative to them, are the same: of one surface, or of one shape from two runs. */
+/**
+ * Energies whose relative difference is smaller count as equal: they belong to one surface, or to one shape from two
+ * runs.
+ */
 const SAME = 1e-9;
 
 /**
- * A row for each functional, a cell for each entry. Among equal ones each is the least; alone, none is.
+ * A row for each functional, a cell for each entry. Several equal energies may be the smallest; a single energy is not
+ * marked.
  * @param {Array<CatalogEntry | null>} entries
  * @returns {Array<{functional: FunctionalName, cells: Cell[]}>}
  */

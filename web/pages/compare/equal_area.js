@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Brings surfaces to one size, so that they and their curvatures can be compared: each as large as the unit sphere.
+ * @file Scales surfaces to the area of the unit sphere, so that they and their curvatures can be compared.
  */
 import { extent } from '../../scene/geometry.js';
 
 /** @import {Mesh} from '../../../wasm/types.js' */
 
-/** Points that stand for a surface where its colours are chosen. */
+/** Number of points of a surface at which curvatures are sampled to choose the colours. */
 const SPREAD = 2048;
 
 /**
  * @param {Pick<Mesh, 'positions' | 'triangles'>} mesh
- * @returns {Float64Array} the area of the first triangle, of the first two, … of all of them
+ * @returns {Float64Array} cumulative areas: of the first triangle, of the first two, … of all
  */
 function growingAreas({ positions, triangles }) {
   const areas = new Float64Array(triangles.length / 3);
@@ -32,7 +32,7 @@ export function areaOf(mesh) {
 }
 
 /**
- * Curvatures at points spread evenly over the surface: narrow necks have many vertices and little area.
+ * Curvatures at points spread evenly by area. (Vertices are not: narrow necks have many vertices but little area.)
  * @param {Mesh} mesh
  * @returns {Float32Array} κ₁, κ₂ of each
  */
@@ -50,8 +50,8 @@ export function spreadCurvatures(mesh) {
 }
 
 /**
- * The surface about the origin with area 4π: curvatures are in units of that of the sphere of the same area, κ·√(A/4π), which are the
- * same for every size.
+ * The surface moved to the origin and scaled to area 4π. Its curvatures become κ·√(A/4π), in units of the curvature of
+ * the sphere with the same area, and no longer depend on size.
  * @param {Mesh} mesh
  * @returns {Mesh}
  */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The comparison's state at the start, and what actions make of it. Pure.
+ * @file The comparison page's initial state and reducer. Pure.
  */
 import { FEWEST, MOST, entryName, parseCompareAddress } from '../../address/compare.js';
 import { reduceView } from '../view_state.js';
@@ -19,13 +19,13 @@ export function initialState(theme = 'system', { address, notices } = parseCompa
   return { ...address, catalog: null, surfaces: {}, fits: 0, theme, notices };
 }
 
-/** The catalog's entry of a name. @param {Catalog | null} catalog @param {EntryName} name */
+/** The catalog's entry of this name. @param {Catalog | null} catalog @param {EntryName} name */
 export function entryOf(catalog, { shape, functional }) {
   return catalog?.entries.find((entry) => entry.shape === shape && entry.functional === functional) ?? null;
 }
 
 /**
- * What is added: the shape of the last one under the next functional that is not there yet.
+ * The entry that is added next: the last shape under the first functional that is not shown with it yet.
  * @param {State} state
  * @returns {EntryName}
  */
@@ -38,7 +38,7 @@ function nextEntry({ catalog, entries }) {
 }
 
 /**
- * Surfaces that no entry shows are let go.
+ * Changes the entries, and drops surfaces that no entry shows any more.
  * @param {State} state
  * @param {EntryName[]} entries
  * @returns {State}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The types of the comparison's state and of the actions that change it; nothing here runs.
+ * @file The types of the comparison page's state and actions; no code.
  */
 
 /** @import {Mesh} from '../../../wasm/types.js' */
@@ -9,7 +9,7 @@
 /** @import {ViewAction, ViewState} from '../view_state.js' */
 
 /**
- * A surface of unit size with curvatures spread over its area, or why there is none.
+ * A surface of unit size, with curvatures at points spread over its area; or why there is none.
  * @typedef {Mesh & {spread: Float32Array} | {problem: string}} Shown
  */
 
@@ -18,8 +18,8 @@
  *
  * @typedef {object} Own
  * @property {Catalog | null} catalog
- * @property {EntryName[]} entries side by side, from the left
- * @property {Record<string, Shown>} surfaces by their entries' names; those that are missing are being loaded
+ * @property {EntryName[]} entries shown side by side, from left to right
+ * @property {Record<string, Shown>} surfaces by the names of their entries; missing ones are being loaded
  */
 
 /**

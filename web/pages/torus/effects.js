@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the torus page's actions cause outside its state: questions to the core, and the page's address. Decides nothing.
+ * @file The torus page's side effects: requests to the core, and the page's address.
  */
 import { formatTorusAddress } from '../../address/torus.js';
 import { functionals } from '../../words/functionals.js';

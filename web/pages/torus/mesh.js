@@ -5,13 +5,13 @@
 
 /** @import {Mesh} from '../../../wasm/types.js' */
 
-/** Vertices along the circle of centres, and around the tube. */
+/** Number of vertices along the circle of centres, and around the tube. */
 const AROUND = 192;
 const ACROSS = 64;
 
 /**
- * The torus of ratio a about the z-axis whose area is that of the unit sphere, 4π = 4π² r R, so that curvatures are in units of that
- * sphere's: κ₁ = 1/r, κ₂ = cos θ / (R + r cos θ).
+ * The torus of ratio a about the z-axis, with the area of the unit sphere, 4π = 4π² r R. So curvatures are in units of
+ * that sphere's: κ₁ = 1/r, κ₂ = cos θ / (R + r cos θ).
  * @param {number} ratio in (0, 1)
  * @returns {Mesh}
  */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The torus page's state at the start, and what actions make of it. Pure.
+ * @file The torus page's initial state and reducer. Pure.
  */
 import { parseTorusAddress } from '../../address/torus.js';
 import { reduceView } from '../view_state.js';
@@ -31,7 +31,7 @@ export function initialState(theme = 'system', { address, notices } = parseTorus
   };
 }
 
-/** A functional that the other one is already changes places with it. @param {Blend} blend @param {Extract<Action, {type: 'functionalChosen'}>} action @returns {Blend} */
+/** Choosing the functional that the other menu already has exchanges the two. @param {Blend} blend @param {Extract<Action, {type: 'functionalChosen'}>} action @returns {Blend} */
 function withFunctional({ names, weights }, { index, name }) {
   if (names[1 - index] === name) return { names: [names[1], names[0]], weights: [weights[1], weights[0]] };
   return { names: index ? [names[0], name] : [name, names[1]], weights };
@@ -51,7 +51,7 @@ export function reduce(state, action) {
     case 'familyComputed':
       return { ...state, family: action.family };
     case 'leastComputed':
-      // While the slider moves, that of a moment ago is better than none.
+      // While the slider moves, the previous result is better than none.
       return same(blend.names, action.blend.names) ? { ...state, least: action.least } : state;
     case 'pathComputed':
       return same(blend.names, action.names) ? { ...state, path: action.path } : state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The types of the torus page's state and of the actions that change it; nothing here runs.
+ * @file The types of the torus page's state and actions; no code.
  */
 
 /** @import {FunctionalName, TorusMinimizer} from '../../../wasm/types.js' */
@@ -9,19 +9,19 @@
 
 /** Two functionals and their weights, which are at least 0 and not both 0. @typedef {{names: [FunctionalName, FunctionalName], weights: [number, number]}} Blend */
 
-/** The family, the same for every blend. @typedef {{energies: TorusEnergies[], alone: Record<FunctionalName, TorusMinimizer>}} Family */
+/** Energies at the ratios of family.js, and the minimizer of each functional alone. @typedef {{energies: TorusEnergies[], alone: Record<FunctionalName, TorusMinimizer>}} Family */
 
-/** The torus of least energy, and its energies; they are null where there is no such torus. @typedef {{minimizer: TorusMinimizer, energies: TorusEnergies | null}} Least */
+/** The torus of least energy, and its energies, null if no torus attains the minimum. @typedef {{minimizer: TorusMinimizer, energies: TorusEnergies | null}} Least */
 
 /**
  * @typedef {ViewState & Own} State
  *
  * @typedef {object} Own
  * @property {Blend} blend
- * @property {Family | null} family `energies` at the ratios of family.js
- * @property {Least | null} least of the blend, or of one that was there a moment ago
- * @property {TorusMinimizer[]} path of the pair's blends, at the shares of family.js; empty until it is there
- * @property {number | null} pointed the place among the ratios whose energies are told
+ * @property {Family | null} family null until it is computed
+ * @property {Least | null} least of the blend, or of a previous one while the new one is computed
+ * @property {TorusMinimizer[]} path minimizers of the pair's blends at the shares of family.js; empty until computed
+ * @property {number | null} pointed index of the ratio whose energies are printed
  */
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file One entry in the table: its picture, its energy, what is known of it, and the ways to compare it and to read more.
+ * @file One entry in the table: its picture, energy and status, a box to choose it for comparison, and a link to its
+ * details.
  */
 import { MOST, entryName } from '../../../address/compare.js';
 import { studioLink } from '../../../address/links.js';
@@ -22,7 +23,7 @@ export function energyNodes(entry) {
   return nodes;
 }
 
-/** @param {CatalogEntry} entry @param {string} words what it shows @param {'lazy' | 'eager'} [loading] */
+/** @param {CatalogEntry} entry @param {string} words a description of the picture @param {'lazy' | 'eager'} [loading] */
 export function picture(entry, words, loading = 'lazy') {
   if (!entry.minimizer) return element('span', { class: 'no-picture' });
   const src = catalogAddress(`pictures/${entryName(entry)}.webp`);
@@ -66,7 +67,7 @@ export function createCell(entry, words, dispatch) {
   };
 }
 
-/** A cell that the catalog has no entry for. */
+/** A cell without an entry. */
 export function emptyCell() {
   const root = element('td', { class: 'empty' });
   setText(root, '–');

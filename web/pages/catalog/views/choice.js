@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The entries that are chosen for comparison, in a bar that is there while there are any.
+ * @file The bar with the entries chosen for comparison; hidden while there are none.
  */
 import { FEWEST, MOST } from '../../../address/compare.js';
 import { compareLink } from '../../../address/links.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Everything that is known of one entry, in a dialog: its energy and where it comes from, its energies under all functionals, its
+ * @file A dialog with all that is known of one entry: its energy and source, its energies under all functionals, its
  * levels, and its downloads.
  */
 import { MOST, entryName } from '../../../address/compare.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Which rows are shown: search and menus, and how many there are; beside them the whole table to download.
+ * @file Search and menus that filter the rows, the number of rows shown, and the download of the whole table.
  */
 import { statuses } from '../../../address/catalog.js';
 import { counted } from '../../../words/numbers.js';
@@ -17,7 +17,7 @@ function options(all, values) {
   return [every, ...values.map(([value, text]) => element('option', { value }, text))];
 }
 
-/** What a menu's value means for the filter. @param {string} name @param {string} value @returns {Partial<Filter>} */
+/** The change of the filter that a menu's value stands for. @param {string} name @param {string} value @returns {Partial<Filter>} */
 function changeOf(name, value) {
   if (name === 'genus' || name === 'arms') return { [name]: value === '' ? null : Number(value) };
   return { [name]: value };

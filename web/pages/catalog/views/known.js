@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What the details say of an entry: facts with their terms, its energies under every functional, and its levels.
+ * @file The parts of an entry's details: a list of facts, its energies under every functional, and its levels.
  */
 import { entryName } from '../../../address/compare.js';
 import { element } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
 import { columnWords, junctionWords, typeset } from '../../../words/entries.js';
 import { functionals } from '../../../words/functionals.js';
-import { compact, counted, significant, upperBound, whole, withError } from '../../../words/numbers.js';
+import { compact, counted, integer, significant, upperBound, withError } from '../../../words/numbers.js';
 
 /** @import {FunctionalName} from '../../../../wasm/types.js' */
 /** @import {CatalogEntry, CatalogFunctional, CatalogStart} from '../../../files/catalog.js' */
@@ -15,18 +15,18 @@ import { compact, counted, significant, upperBound, whole, withError } from '../
 
 /** @typedef {NonNullable<ReturnType<typeof findEntry>>} Found */
 
-/** Below this, an energy is round-off. */
+/** An energy below this is rounding error. */
 const ROUND_OFF = 1e-9;
-/** Below this, the integral of the Gaussian curvature is zero by the error of its quadrature. */
+/** An integral of the Gaussian curvature below this is zero within the quadrature error. */
 const INTEGRAL_ERROR = 1e-6;
-/** Digits of energies, and of what mathematics has. */
+/** Number of digits of energies, and of energies known in theory. */
 const ENERGY_DIGITS = 8;
 const EXACT_DIGITS = 9;
 
 /** @param {string} term @param {...(Node | string)} value */
 const fact = (term, ...value) => element('div', {}, element('dt', {}, term), element('dd', {}, ...value));
 
-/** What is known of an entry besides its energy. @param {Found} found @param {CatalogStart[]} starts of the catalog @returns {HTMLElement[]} */
+/** The facts about an entry besides its energy. @param {Found} found @param {CatalogStart[]} starts all of the catalog @returns {HTMLElement[]} */
 export function facts({ entry, shape }, starts) {
   const { group, certificate, second_family: second, limit, paper, exact, energy, settings } = entry;
   const list = [fact('Genus', String(shape.genus))];
@@ -35,7 +35,7 @@ export function facts({ entry, shape }, starts) {
   if (limit?.order) list.push(fact('Observed order', compact(limit.order, 2)));
   if (paper !== null) {
     const ratio = energy === null ? '' : `, ratio ${compact(energy / paper)}`;
-    list.push(fact('The paper', `${whole(paper)}${ratio}`));
+    list.push(fact('The paper', `${integer(paper)}${ratio}`));
   }
   if (exact !== null) {
     const source = entry.exact_source ? `, ${typeset(entry.exact_source)}` : '';
@@ -81,7 +81,7 @@ function energyRow(name, formula, value, objective) {
   );
 }
 
-/** Its surface's energies under every functional. @param {CatalogEntry} entry @param {CatalogFunctional} functional @returns {HTMLElement[]} */
+/** The energies of an entry's surface under every functional. @param {CatalogEntry} entry @param {CatalogFunctional} functional @returns {HTMLElement[]} */
 export function energyTable({ energies }, functional) {
   const parts = Object.entries(functional.weights);
   const rows = functionals.map(({ id, name, formula }) =>
@@ -114,8 +114,8 @@ export function levelTable({ levels }) {
       'tr',
       {},
       element('td', {}, String(level)),
-      element('td', {}, whole(patches)),
-      element('td', {}, whole(unknowns)),
+      element('td', {}, integer(patches)),
+      element('td', {}, integer(unknowns)),
       element('td', {}, energy_reported === null ? 'diverges' : significant(energy_reported, ENERGY_DIGITS)),
     ),
   );

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How to read the catalog: what is minimized, what is known of an entry, and how to cite it.
+ * @file The catalog's explanations: what is minimized, what each status means, and how to cite the catalog.
  */
 import { statuses } from '../../../address/catalog.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The table: a row for each shape, a column for each functional, as in the paper's Table 1. Column heads order the rows.
+ * @file The table: a row for each shape and a column for each functional, as in the paper's Table 1. Column heads sort
+ * the rows.
  */
 import { counted } from '../../../words/numbers.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
@@ -13,7 +14,7 @@ import { createCell, emptyCell } from './cell.js';
 /** @import {Action, Row, State} from '../types.js' */
 
 /**
- * @param {string} key what the column orders by
+ * @param {string} key what a press on the head sorts by
  * @param {string} name
  * @param {string} [formula]
  * @param {Record<string, string>} [attributes]

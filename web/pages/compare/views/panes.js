@@ -78,7 +78,7 @@ export function createPanesView(root, dispatch) {
  * One surface's menus, and its place on the canvas.
  * @param {number} index
  * @param {(action: Action) => void} dispatch
- * @param {boolean} pictures whether it shows the catalog's picture, because nothing can be drawn
+ * @param {boolean} pictures whether it shows the catalog's picture, because the browser cannot draw the surface
  */
 function createPane(index, dispatch, pictures) {
   const listening = new AbortController();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file All energies of the surfaces that are compared, one column each; the least of each functional is marked.
+ * @file All energies of the compared surfaces, one column each; the smallest of each functional is marked.
  */
 import { studioLink } from '../../../address/links.js';
 import { element, whenChanged } from '../../../views/dom.js';

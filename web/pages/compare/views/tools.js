@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What stands around the surfaces: the buttons that add one and fit all.
+ * @file The buttons around the surfaces: to add one, and to fit all.
  */
 import { MOST } from '../../../address/compare.js';
 import { find, onPress, setEnabled } from '../../../views/dom.js';

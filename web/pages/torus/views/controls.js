@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The blend: two functionals, the slider between them, and the blends that have a name.
+ * @file The controls of the blend: two functionals, the slider between them, and presets.
  */
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
 import { functionals } from '../../../words/functionals.js';
@@ -10,7 +10,7 @@ import { shareOf } from '../family.js';
 /** @import {FunctionalName} from '../../../../wasm/types.js' */
 /** @import {Action, Blend, State} from '../types.js' */
 
-/** Steps of the slider. */
+/** Number of steps of the slider. */
 const STEPS = 1000;
 
 /** @type {Array<{words: string, weights: Blend['weights']}>} */

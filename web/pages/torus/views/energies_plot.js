@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Energies over the ratio of radii: the two functionals and their blend, with the torus of least energy, Clifford's, the limit of thin
- * tori, and the values under a crosshair.
+ * @file The plot of energies over the ratio of radii: the two functionals and their blend, with marks for the torus of
+ * least energy, Clifford's torus and the limit of thin tori, and the values under a crosshair.
  */
 import { linePath } from '../../../plot/curves.js';
 import { linearScale, logScale } from '../../../plot/scales.js';
@@ -18,12 +18,12 @@ import { CLIFFORD, blendedEnergy, ratios, thinLimits } from '../family.js';
 
 const HEIGHT = 300;
 const MARGIN = { left: 46, right: 10, top: 26, bottom: 40 };
-/** Energies grow without bound at both ends; the plot ends at so many times the largest minimum. */
+/** Energies are unbounded at both ends; the plot ends at this multiple of the largest minimum. */
 const ROOM = 14;
 
 /** @typedef {{name: string, kind: 'first' | 'second' | 'blend', value: (energies: TorusEnergies) => number}} Curve */
 
-/** Those that a logarithmic axis can show. @param {Blend} blend @param {Family} family @returns {Curve[]} */
+/** The curves that a logarithmic axis can show. @param {Blend} blend @param {Family} family @returns {Curve[]} */
 function curvesOf(blend, { energies }) {
   /** @type {Curve[]} */
   const curves = [
@@ -71,7 +71,7 @@ function uprightMark(at, words, kind, across, box) {
   ];
 }
 
-/** The level that a functional falls to as the tube thins. @param {Blend} blend @param {Family} family @param {Scale} up @param {Box} box */
+/** Marks for the limits of the functionals as the tube becomes thin. @param {Blend} blend @param {Family} family @param {Scale} up @param {Box} box */
 function thinMarks({ names }, { alone }, up, box) {
   return names.flatMap((id) => {
     const words = thinLimits[id];
@@ -126,7 +126,7 @@ export function createEnergiesPlotView(root, dispatch) {
   const listening = new AbortController();
   const { signal } = listening;
   const picture = svg('svg', { role: 'img', tabindex: 0, height: HEIGHT, 'aria-describedby': 'energies-values' });
-  picture.setAttribute('aria-label', 'Energies over the ratio of radii; arrow keys tell them');
+  picture.setAttribute('aria-label', 'Energies over the ratio of radii; use the arrow keys to read them');
   const drawn = svg('g', {});
   const hair = svg('line', { class: 'hair', y1: MARGIN.top, y2: HEIGHT - MARGIN.bottom });
   picture.append(drawn, hair);
@@ -174,17 +174,17 @@ export function createEnergiesPlotView(root, dispatch) {
       );
     },
   );
-  const tell = whenChanged(
+  const showValues = whenChanged(
     (/** @type {Blend} */ blend, /** @type {Family | null} */ family, /** @type {number | null} */ index) => {
       hair.style.display = index === null ? 'none' : '';
       if (index === null || !family) return setText(values, 'Point at the plot, or use the arrow keys, to read it.');
       const x = MARGIN.left + ratios[index] * (root.clientWidth - MARGIN.left - MARGIN.right);
       hair.setAttribute('x1', x.toFixed(1));
       hair.setAttribute('x2', x.toFixed(1));
-      const told = curvesOf(blend, family).map(
+      const texts = curvesOf(blend, family).map(
         ({ name, value }) => `${name} ${significant(value(family.energies[index]), 5)}`,
       );
-      setText(values, [`a = ${compact(ratios[index], 4)}`, ...told].join(' · '));
+      setText(values, [`a = ${compact(ratios[index], 4)}`, ...texts].join(' · '));
     },
   );
 
@@ -199,7 +199,7 @@ export function createEnergiesPlotView(root, dispatch) {
       last = state;
       ({ pointed } = state);
       show(state.blend, state.family, state.least, root.clientWidth);
-      tell(state.blend, state.family, state.pointed);
+      showValues(state.blend, state.family, state.pointed);
     },
     dispose() {
       listening.abort();

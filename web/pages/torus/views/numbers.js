@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The numbers of the torus that minimizes the blend: its ratio, its energies beside their closed forms, and the way to the studio.
+ * @file The numbers of the torus that minimizes the blend: its ratio, its energies beside their closed forms, and a
+ * link to the studio.
  */
 import { formatStudioAddress, parseStudioAddress } from '../../../address/studio.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
@@ -11,7 +12,7 @@ import { CLIFFORD, isThePapers, namedWeights, printed, shareOf } from '../family
 /** @import {TorusMinimizer} from '../../../../wasm/types.js' */
 /** @import {Blend, Family, Least, State} from '../types.js' */
 
-/** Digits of ratios and energies: what is exact may be checked. */
+/** Digits of ratios and energies: enough to check exact values. */
 const DIGITS = 7;
 
 /** @param {Blend} blend "1 · Bending + 0.5 · MVS cross" */
@@ -32,7 +33,7 @@ function remark(blend, { ratio, attained }) {
   return same && isThePapers(blend) ? `The paper prints ${same.ratio}.` : '';
 }
 
-/** @param {Blend} blend the meshed torus, to be minimized in the studio */
+/** @param {Blend} blend @returns {string} the studio's address for minimizing the blend from a meshed torus */
 function studioAddress(blend) {
   const weights = Object.fromEntries(Object.entries(namedWeights(blend)).filter(([, weight]) => weight > 0));
   const names = Object.keys(weights);

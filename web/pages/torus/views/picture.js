@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The picture of the torus that minimizes the blend, shaded by curvature; where nothing can be drawn, its section.
+ * @file The picture of the torus that minimizes the blend, coloured by curvature; if the browser cannot draw it, its
+ * cross-section.
  */
 import { quantityOf } from '../../../colour/quantities.js';
 import { drawing } from '../../../scene/drawing.js';
@@ -18,7 +19,7 @@ import { torusMesh } from '../mesh.js';
 /** @import {Range} from '../../../colour/range.js' */
 /** @import {Action, State} from '../types.js' */
 
-/** The tube cut through the axis, and the axis. @param {number} ratio */
+/** The cross-section: the two circles of the tube, and the axis. @param {number} ratio */
 function section(ratio) {
   const outer = 1 + ratio;
   const circles = [-1, 1].map((side) => svg('circle', { cx: side / outer, cy: 0, r: ratio / outer }));

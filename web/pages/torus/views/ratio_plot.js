@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The minimizing ratio over the blend, above the slider that chooses it, with the ratios that the paper prints.
+ * @file The plot of the minimizing ratio over the blend, above the slider, with the ratios that the paper prints.
  */
 import { linePath } from '../../../plot/curves.js';
 import { linearScale } from '../../../plot/scales.js';
