@@ -134,7 +134,8 @@ typedef enum umbilic_part {
   UMBILIC_PART_ENERGIES = 6 /* takes several times as long as a step, once for each surface */
 } umbilic_part;
 
-umbilic_status umbilic_run_part(const umbilic_run* run, umbilic_part part, umbilic_text* text);
+/** `part` is an umbilic_part, as an integer so that any other value can be told. */
+umbilic_status umbilic_run_part(const umbilic_run* run, int32_t part, umbilic_text* text);
 
 /** The complete report, with the surface. `certificate` is null or a ready certificate of this run. */
 umbilic_status umbilic_run_report(const umbilic_run* run, const umbilic_certificate* certificate, umbilic_text* report);

@@ -86,7 +86,7 @@ umbilic_status umbilic_run_cancel(umbilic_run* run) {
   });
 }
 
-umbilic_status umbilic_run_part(const umbilic_run* handle, umbilic_part part, umbilic_text* text) {
+umbilic_status umbilic_run_part(const umbilic_run* handle, int32_t part, umbilic_text* text) {
   return guarded([&] {
     if (!all_given(handle, text) || !usable(*handle)) return UMBILIC_BAD_ARGUMENT;
     const Run& run = handle->run.run;
@@ -99,7 +99,7 @@ umbilic_status umbilic_run_part(const umbilic_run* handle, umbilic_part part, um
       case UMBILIC_PART_LIMIT: return answer(json_text(run.limit()), text);
       case UMBILIC_PART_ENERGIES: return answer(json_text(run.energies()), text);
     }
-    return fail(UMBILIC_BAD_ARGUMENT, fmt::format("a run has no part {}", static_cast<int>(part)));
+    return fail(UMBILIC_BAD_ARGUMENT, fmt::format("a run has no part {}", part));
   });
 }
 
