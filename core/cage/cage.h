@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// A control cage as a user gives it: a closed, orientable polygon mesh with faces of any size; its validation and its
-/// counts.
+/// A control cage as given by a user: a closed, orientable polygon mesh with faces of any size. Also its validation and
+/// its counts.
 #pragma once
 
 #include <string>
@@ -52,11 +52,11 @@ struct CageReport {
   }
 };
 
-/// Where a cage's elements stand in the text that it was read from, for messages; empty when it was not read.
+/// Where a cage's elements are in the text from which it was read, for messages; empty if it was not read.
 struct CageSource {
   std::vector<int> vertex_lines;  ///< one-based line of each vertex
   std::vector<int> face_lines;    ///< one-based line of each face
-  int first_index = 1;            ///< what the text calls its first vertex
+  int first_index = 1;            ///< the index of the first vertex in the text
 };
 
 /// Checks that the cage is a closed, edge- and vertex-manifold, orientable surface with finite vertices, every index in
@@ -66,7 +66,7 @@ struct CageSource {
 /// the vertices that no face uses, because the surface does not depend on them; the others keep their order. What it
 /// turns or drops the report says. The cage is unchanged when there is an error. A validated cage validates unchanged.
 ///
-/// Errors name the vertex, edge or face, and its line where `source` knows it: vertices as the text numbers them, faces
+/// Errors name the vertex, edge or face, and its line if `source` has it. Vertices are numbered as in the text, faces
 /// from 1.
 Result<CageReport> validate(Cage& cage, const CageSource& source = {});
 

@@ -29,7 +29,8 @@ class Partition {
   std::vector<int> parent_;
 };
 
-/// Index of the first corner of each face when all corners are numbered through; one entry more than faces.
+/// Index of the first corner of each face, if the corners of all faces are numbered consecutively; the last entry is
+/// their number.
 std::vector<int> corner_offsets(const Cage& cage) {
   std::vector<int> offsets{0};
   offsets.reserve(cage.faces.size() + 1);

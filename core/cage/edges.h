@@ -14,27 +14,28 @@ struct EdgeUse {
   int low = 0;
   int high = 0;  ///< low < high: the two vertices
   int face = 0;
-  int corner = 0;        ///< the side runs from this corner of the face to the next
-  bool forward = false;  ///< it runs from low to high
+  int corner = 0;        ///< the side goes from this corner of the face to the next
+  bool forward = false;  ///< whether it goes from low to high
 };
 
 inline bool same_edge(const EdgeUse& a, const EdgeUse& b) { return a.low == b.low && a.high == b.high; }
 
-/// The sides of all faces, those of one edge together. Needs indices in range and no face that repeats a vertex.
+/// The sides of all faces, sorted so that those of one edge are consecutive. Indices must be in range, and no face may
+/// repeat a vertex.
 std::vector<EdgeUse> edge_uses(const Cage& cage);
 
 struct Orientation {
-  std::vector<int> component;  ///< of each face, numbered by first face
+  std::vector<int> component;  ///< of each face; components are numbered in the order of their first faces
   std::vector<bool> flipped;   ///< faces to reverse so that neighbours agree; false for the first face of a component
   int component_count = 0;
-  int conflict = -1;  ///< a face that no choice can make agree with its neighbours, or -1
+  int conflict = -1;  ///< a face that cannot be oriented consistently with its neighbours, or -1
 };
 
-/// Needs exactly two uses of each edge.
+/// Each edge must have exactly two uses.
 Orientation orient(const Cage& cage, const std::vector<EdgeUse>& uses);
 
-/// Number of fans of faces around each vertex, where faces that share an edge at the vertex are in one fan; 1
-/// everywhere on a vertex-manifold, 0 at unused vertices. Needs exactly two uses of each edge.
+/// Number of fans of faces around each vertex, where faces that share an edge at the vertex belong to the same fan. It
+/// is 1 everywhere on a vertex-manifold, and 0 at unused vertices. Each edge must have exactly two uses.
 std::vector<int> fan_counts(const Cage& cage, const std::vector<EdgeUse>& uses);
 
 }  // namespace umbilic

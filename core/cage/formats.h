@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the readers of the single formats hand over to validation; `read.h` is the door for everyone else.
+/// What the parsers of the formats pass to validation. Callers use `read.h`.
 #pragma once
 
 #include <string_view>
@@ -11,7 +11,7 @@
 
 namespace umbilic {
 
-/// Polygons as they stand in a file: finite vertices, and faces that nobody has checked.
+/// Polygons of a file: finite vertices, and faces that have not been checked.
 struct PolygonFile {
   Cage cage;
   CageSource source;
@@ -23,7 +23,7 @@ bool is_off(std::string_view text);
 Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits = {});
 Result<PolygonFile> parse_off(std::string_view text, const ReadLimits& limits = {});
 
-/// Vertices that grow while a file is read.
+/// Collects vertices while a file is read.
 class VertexList {
  public:
   explicit VertexList(int most) : most_(most) {}

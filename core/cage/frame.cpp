@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The cages of frames, point by point.
+/// Computes the cages of frames, point by point.
 ///
 ///     words        | code
 ///     -------------|------------------------------------------------------------------------------------
@@ -65,7 +65,7 @@ class FrameBuilder {
   std::vector<std::vector<int>> faces_;
 };
 
-/// The tunnels on both sides of each arm: left and right as it leaves its first end.
+/// The tunnels on the left and right of each arm, seen from its first end.
 std::vector<std::array<int, 2>> tunnels_of_arms(const SphereMap& map) {
   std::vector<std::array<int, 2>> tunnels(map.ends.size());
   for (const std::vector<Spoke>& spokes : map.spokes) {
@@ -96,7 +96,7 @@ Result<FrameShape> frame_shape(const SphereMap& map, const CageOptions& options)
   const double room = std::min(1., options.spread);
   const double tunnel = std::tan(narrowest_tunnel(map));  // from an arm's middle to the point above the tunnel's centre
   const double standard = room * std::min(1. / 3, tunnel / 2);
-  // An arm may fill 0.85 of its half of the tunnel, and 0.75 of the way to the frame's centre.
+  // An arm may fill 0.85 of its half of the tunnel, and 0.75 of the distance to the frame's centre.
   const double thickest = std::min(0.85 * options.spread * tunnel, 0.75 * room) / standard;
   const double allowed = std::floor(100 * thickest) / 100;
   if (!(options.thickness >= kThinnest && options.thickness <= allowed)) {

@@ -8,27 +8,27 @@
 
 namespace umbilic {
 
-/// The middle surface of a frame is flat on each flag (junction J, arm's middle M, tunnel T): the plane through J, M
-/// and the point T' above T that lies in the tangent plane of the sphere at M. The arm's sides run parallel to J M, in
-/// the distance h. A point q of the middle surface becomes diag(s + d, s + d, 1 + d) q on the layer d; s is the spread.
-/// Each flag keeps to its own cone, with the layers +h and −h on opposite sides of its plane, so a frame cannot
-/// intersect itself.
+/// A flag is a triple (junction J, middle M of an arm, tunnel T). The middle surface of a frame is flat on each flag:
+/// it lies in the plane through J, M and T', the point above T in the tangent plane of the sphere at M. The sides of
+/// the arm are parallel to J M at distance h. On layer d, a point q of the middle surface becomes diag(s + d, s + d, 1
+/// + d) q, where s is the spread. Each flag stays within its own cone, and the layers +h and -h are on opposite sides
+/// of its plane, so a frame cannot intersect itself.
 struct FrameShape {
   double spread = 1;
   double half_width = 0;  ///< h: distance of the control points from the arms' centre lines, 0 < h < min(1, s)
 };
 
-/// The shape for the thickness and spread in `options`; errors name the range that the map leaves room for.
+/// The shape for the thickness and spread in `options`. Errors name the range that the map allows.
 Result<FrameShape> frame_shape(const SphereMap& map, const CageOptions& options);
 
-/// Hub cages: around each junction a prism with one corner per tunnel, along each arm a square tube of two segments,
-/// its cross-section inscribed in the circle of radius h. Extraordinary vertices: the prisms' corners (valence 5) and,
-/// after a step, their n-gons.
+/// Hub cages: a prism around each junction, with one corner per tunnel, and a square tube of two segments along each
+/// arm, with its cross-section inscribed in the circle of radius h. Extraordinary vertices are the corners of the
+/// prisms (valence 5) and, after a step, their n-gons.
 Cage hub_frame(const SphereMap& map, const FrameShape& shape);
 
-/// Flag cages: two quads for each flag (junction, arm, side), along the arm's outer and inner half, meeting in the
-/// crotch and in the arm's side. The arms' cross-section is a rhombus of half-diagonals h. Extraordinary vertices: the
-/// axis points (valence 2n).
+/// Flag cages: two quads for each flag, along the outer and the inner half of the arm, which meet at the crotch and at
+/// the arm's side. The cross-section of an arm is a rhombus with half-diagonals h. Extraordinary vertices are the axis
+/// points (valence 2n).
 Cage flag_frame(const SphereMap& map, const FrameShape& shape);
 
 }  // namespace umbilic

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Names of the generated cages, the cube and the torus; frames are made in frame.cpp.
+/// The names of the generated cages, the cube and the torus. Frames are made in frame.cpp.
 #include "cage/generate.h"
 
 #include <fmt/format.h>
@@ -94,7 +94,7 @@ Result<Cage> frame(const CageName& name, CageOptions options) {
   return options.family == FrameFamily::kHub ? hub_frame(map, *shape) : flag_frame(map, *shape);
 }
 
-/// Null where there is none.
+/// The cage with this name, or null.
 const CageName* cage_called(std::string_view name) {
   const std::vector<CageName>& names = cage_names();
   const auto known = std::find_if(names.begin(), names.end(), [&](const CageName& n) { return n.name == name; });

@@ -11,9 +11,9 @@
 
 namespace umbilic {
 
-/// Hub cages make each junction a prism with one side quad per arm; flag cages make it of flags (junction, arm, side),
-/// and their only extraordinary vertices are the axis points, of valence 2n. Equal options give both families arms of
-/// about one thickness.
+/// Hub cages have a prism at each junction, with one side quad per arm. Flag cages consist of flags (junction, arm,
+/// side); their only extraordinary vertices are the axis points, of valence 2n. With equal options the arms of both
+/// families have about the same thickness.
 enum class FrameFamily { kHub, kFlag };
 
 /// "hub", "flag".
@@ -25,14 +25,15 @@ constexpr std::string_view name_of(FrameFamily family) {
   return "";
 }
 
-/// An option that does not apply to a cage is ignored by it.
+/// A cage ignores options that do not apply to it.
 struct CageOptions {
   FrameFamily family = FrameFamily::kFlag;
-  /// Frames, torus: the arms' or the tube's width relative to the default, >= 0.01; errors name the upper bound, which
-  /// depends on the cage. 1 puts the sides of a frame's arms a third of its radius beside their centre lines, or half
-  /// the way to the middle of the narrowest tunnel where that is less.
+  /// Frames and torus: the width of the arms or the tube relative to the default, >= 0.01. Errors name the upper bound,
+  /// which depends on the cage. With 1 the sides of a frame's arms are at a third of its radius from their centre
+  /// lines, or at half the distance to the middle of the narrowest tunnel if that is less.
   double thickness = 1;
-  /// Two-N frames: distance of the arms' middles from the axis, in [0.5, 3]; the junctions are at 1.
+  /// Frames with two junctions: distance of the arms' middles from the axis, in [0.5, 3]; the junctions are at distance
+  /// 1.
   double spread = 1;
   double ratio = 0.5;      ///< torus: minor radius / major radius of the control net, in (0, 1), also after thickness
   int major_segments = 6;  ///< torus: quads around the axis, 3 to 1000
@@ -51,7 +52,7 @@ struct CageName {
 /// All generated cages, in the order of their genus within each kind.
 const std::vector<CageName>& cage_names();
 
-/// Which options apply to a cage; the others are ignored by it.
+/// Which options apply to a cage.
 struct CageParameters {
   bool family = true;
   bool thickness = true;
@@ -61,10 +62,10 @@ struct CageParameters {
 };
 
 CageParameters parameters_of(CageKind kind);
-/// The same for the cage called `name`; all where there is no such cage.
+/// The options that apply to the cage called `name`; all if there is no such cage.
 CageParameters parameters_of(std::string_view name);
 
-/// The cage called `name`: validated, its faces oriented outward. Errors name the unknown name or the option out of
+/// The cage called `name`: validated, with faces oriented outward. Errors name an unknown name or an option out of
 /// range.
 Result<Cage> generate_cage(std::string_view name, const CageOptions& options = {});
 

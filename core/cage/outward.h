@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Which side of a closed surface is the outside.
+/// Orients closed surfaces outward.
 #pragma once
 
 #include "cage/cage.h"

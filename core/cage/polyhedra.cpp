@@ -32,7 +32,7 @@ std::vector<Vector3> octahedron() {
   return vertices;
 }
 
-/// Square sides: edges of length 1.
+/// With square sides: all edges have length 1.
 std::vector<Vector3> hexagonal_prism() {
   const double s = std::sqrt(3.) / 2;
   std::vector<Vector3> vertices;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Vertices of the uniform polyhedra that frames are drawn on.
+/// Vertices of the uniform polyhedra whose edges become frames.
 #pragma once
 
 #include <string_view>
@@ -11,14 +11,14 @@
 namespace umbilic {
 
 struct Polyhedron {
-  std::string_view name;   ///< of its frame, "cube-frame"
-  std::string_view solid;  ///< with the article, "a cube"
+  std::string_view name;   ///< name of its frame, "cube-frame"
+  std::string_view solid;  ///< name with the article, "a cube"
   int vertices;
   int edges;
   std::vector<Vector3> (*make)();
 };
 
-/// In the order of the frames' genus, edges − vertices + 1.
+/// Sorted by the genus of the frames, edges - vertices + 1.
 const std::vector<Polyhedron>& polyhedra();
 
 }  // namespace umbilic

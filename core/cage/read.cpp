@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Tells the formats apart and validates what was read.
+/// Recognizes the format and validates what was read.
 #include "cage/read.h"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ Result<CheckedCage> read_checked_cage(std::string_view text, const ReadLimits& l
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
   if (text.find_first_not_of(" \t\v\f\r\n") == std::string_view::npos) return Error{"the file is empty"};
 
-  // Binary OFF is recognized by its first line, before its bytes are.
+  // Binary OFF must be recognized by its first line, before its bytes are read as text.
   auto file = is_off(text) ? parse_off(text, limits) : parse_obj(text, limits);
   if (const std::size_t zero = text.find('\0'); !file && zero != std::string_view::npos && !is_off(text)) {
     return Error{fmt::format("line {}: not a text file: it holds a zero byte", line_of(text, zero))};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Cages from OBJ and OFF text. Files come from strangers: every error names its line.
+/// Reads cages from OBJ and OFF text. The files are untrusted: every error names its line.
 #pragma once
 
 #include <string_view>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// OBJ: the statements `v` and `f`; every other statement says nothing about the control mesh.
+/// Reads the statements `v` and `f` of OBJ; no other statement concerns the control mesh.
 #include <fmt/format.h>
 
 #include <limits>
@@ -51,8 +51,8 @@ bool is_corner_tail(std::string_view tail) {
   return normal.empty() || parse_integer(normal);
 }
 
-/// The zero-based vertex that a corner names, `known` vertices having been read before it. Positive indices may refer
-/// to vertices further down, so their upper bound is left to validation.
+/// The zero-based index of the vertex that a corner names, given that `known` vertices have been read so far. Positive
+/// indices may refer to later vertices, so validation checks their upper bound.
 Result<int> parse_corner(std::string_view word, int known) {
   const std::size_t slash = word.find('/');
   const auto index = parse_integer(word.substr(0, slash));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// OFF and its variants with more numbers per vertex: one vertex and one face per line, the extra numbers ignored.
+/// Reads OFF and its variants with more numbers per vertex: one vertex and one face per line; additional numbers are
+/// ignored.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace {
 
 constexpr std::string_view kOff = "OFF";
 
-/// "OFF" with the prefixes ST, C, N, 4 and n of the variants. Keywords with the counts glued on ("OFF490 518 0") are
-/// common enough.
+/// "OFF" with the prefixes ST, C, N, 4 and n of the variants. Files in which the counts follow the keyword without a
+/// blank ("OFF490 518 0") are common.
 bool is_keyword(std::string_view word) {
   const std::size_t off = word.find(kOff);
   if (off == std::string_view::npos || off > 5) return false;
@@ -23,7 +24,7 @@ bool is_keyword(std::string_view word) {
   return word.find_first_not_of("0123456789", off + kOff.size()) == std::string_view::npos;
 }
 
-/// The next line that holds more than blanks and a comment.
+/// The next line that has more than blanks and a comment.
 std::optional<Line> next_content(LineReader& lines) {
   while (auto line = lines.next()) {
     line->text = without_comment(line->text);
@@ -55,7 +56,7 @@ Result<Counts> parse_counts(const Line& line) {
   return counts;
 }
 
-/// Reads the keyword, which may have the counts behind it on its line.
+/// Reads the keyword; the counts may follow on the same line.
 Result<Counts> parse_header(LineReader& lines) {
   auto line = next_content(lines);
   std::string_view words = line ? line->text : std::string_view{};

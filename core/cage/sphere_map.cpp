@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Construction of graphs on the sphere from their junctions and arms.
+/// Constructs graphs on the sphere from their junctions and arms.
 #include "cage/sphere_map.h"
 
 #include <Eigen/Geometry>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 
-/// Orders the arms around each junction. The first arm of a junction has angle 0 by definition, so round-off cannot
-/// turn it into 2 pi.
+/// Sorts the arms around each junction. The first arm has angle 0 by definition, so that rounding cannot turn it into 2
+/// pi.
 void sort_spokes(SphereMap& map) {
   map.spokes.assign(map.junctions.size(), {});
   for (int arm = 0; arm < static_cast<int>(map.ends.size()); ++arm) {
@@ -38,8 +38,8 @@ void sort_spokes(SphereMap& map) {
   }
 }
 
-/// Walks around each tunnel with the tunnel on the left: out along a spoke, and at the other end on along the spoke
-/// clockwise of it.
+/// Walks around each tunnel with the tunnel on the left: along a spoke, then from its other end along the next spoke
+/// clockwise.
 void trace_tunnels(SphereMap& map) {
   for (std::size_t start = 0; start < map.junctions.size(); ++start) {
     for (std::size_t first = 0; first < map.spokes[start].size(); ++first) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Graphs drawn on the unit sphere: what a frame thickens into a cage.
+/// Graphs drawn on the unit sphere, which frames thicken into cages.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@
 
 namespace umbilic {
 
-/// A junction is a point of the sphere, an arm an arc between two junctions, a tunnel a region that the arcs leave.
-/// Around a junction, arms and tunnels alternate; counterclockwise is as seen from outside.
+/// A junction is a point of the sphere, an arm is an arc between two junctions, and a tunnel is a region between the
+/// arcs. Arms and tunnels alternate around a junction; counterclockwise means as seen from outside.
 struct SphereMap {
   struct Spoke {
     int arm = 0;
-    bool outgoing = false;  ///< the junction is the arm's first end
-    int tunnel = 0;         ///< on the spoke's left as it leaves the junction
+    bool outgoing = false;  ///< whether the junction is the arm's first end
+    int tunnel = 0;         ///< the tunnel to the left of the spoke, seen from the junction
   };
 
   std::vector<Vector3> junctions;          ///< unit vectors
@@ -26,11 +26,11 @@ struct SphereMap {
   std::vector<std::vector<Spoke>> spokes;  ///< around each junction, counterclockwise, from its first arm
 };
 
-/// N meridians between the poles of the z axis, the first of them through the x axis; N >= 3.
+/// N >= 3 meridians between the poles of the z axis; the first one crosses the x axis.
 SphereMap hosohedron(int arms);
 
-/// The polyhedron whose vertices, all at one distance from the origin, are joined where they are nearest: uniform
-/// polyhedra.
+/// The graph of a uniform polyhedron. All vertices must have the same distance from the origin; nearest neighbours are
+/// joined.
 SphereMap uniform_polyhedron(const std::vector<Vector3>& vertices);
 
 /// Angle between `from` and `towards`, unit vectors.
@@ -39,7 +39,7 @@ double angle_between(const Vector3& from, const Vector3& towards);
 /// The unit tangent at the unit vector `from` that points along the great circle to `towards`.
 Vector3 tangent_towards(const Vector3& from, const Vector3& towards);
 
-/// Half the width of the narrowest tunnel, as an angle between an arm's middle and a tunnel's centre.
+/// Half the width of the narrowest tunnel, measured as the angle between an arm's middle and a tunnel's centre.
 double narrowest_tunnel(const SphereMap& map);
 
 }  // namespace umbilic

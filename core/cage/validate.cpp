@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Validation of a cage: its steps, in the order in which a user can mend what they find.
+/// Validates a cage, in the order in which a user can correct what is found.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace umbilic {
 
 namespace {
 
-/// Names elements in error messages.
+/// Names elements of a cage in error messages.
 class Naming {
  public:
   explicit Naming(const CageSource& source) : source_(source) {}
@@ -74,7 +74,7 @@ std::optional<Error> check_faces(const Cage& cage, const Naming& naming) {
   return std::nullopt;
 }
 
-/// Two open edges at the same place mean that a program wrote the vertices along a seam twice.
+/// If two open edges are at the same place, a program has probably written the vertices of a seam twice.
 std::string seam_hint(const Cage& cage, const std::vector<EdgeUse>& open, const Naming& naming) {
   std::vector<int> rim;
   for (const EdgeUse& use : open) rim.insert(rim.end(), {use.low, use.high});
@@ -168,7 +168,7 @@ std::vector<std::string> sentences(const TurnedFaces& turned, int dropped) {
   return repairs;
 }
 
-/// Counts of a closed, vertex-manifold cage without unused vertices.
+/// Counts the elements of a closed, vertex-manifold cage without unused vertices.
 CageReport count(const Cage& cage, const std::vector<EdgeUse>& uses, const Orientation& orientation) {
   CageReport report;
   report.vertices = static_cast<int>(cage.vertices.rows());
@@ -179,7 +179,7 @@ CageReport count(const Cage& cage, const std::vector<EdgeUse>& uses, const Orien
   for (std::size_t f = 0; f < cage.faces.size(); ++f) {
     CageComponent& component = report.components[orientation.component[f]];
     ++component.faces;
-    component.edges += static_cast<int>(cage.faces[f].size());  // each edge from both sides
+    component.edges += static_cast<int>(cage.faces[f].size());  // counts each edge from both sides
     for (const int v : cage.faces[f]) {
       if (counted[v]) continue;
       counted[v] = true;

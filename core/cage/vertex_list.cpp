@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Reading of one vertex, the same in every format.
+/// Reads a vertex, in the same way for every format.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// OBJ text from polygon meshes.
+/// Writes polygon meshes as OBJ text.
 #include "cage/write.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Polygon meshes as OBJ text, with the shortest decimals that read back to the same doubles.
+/// Polygon meshes as OBJ text, with the shortest decimals that are read back as the same doubles.
 #pragma once
 
 #include <array>

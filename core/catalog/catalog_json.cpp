@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Entries to JSON, and comparisons of stored ones.
+/// Converts entries to JSON, and compares stored ones.
 #include "catalog/catalog_json.h"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ Json optional_json(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-/// Without seconds, which no run repeats.
+/// Removes the seconds, which differ in every run.
 std::vector<LevelReport> timeless(std::vector<LevelReport> levels) {
   for (LevelReport& level : levels) level.seconds = std::numeric_limits<double>::quiet_NaN();
   return levels;
@@ -46,8 +46,9 @@ bool all_converged(const Json& levels) {
 
 constexpr double kConvergedReproducibility = 1e-5;
 constexpr double kOtherReproducibility = 0.1;
-/// Of a surface that is only evaluated, relative to at least a thousandth of a sphere's bending: what vanishes, as the
-/// Gaussian curvature of a torus does, is a sum of terms that rounding leaves.
+/// Tolerance of the energies of a surface that is only evaluated, relative to the energy but at least to a thousandth
+/// of a sphere's bending. (A quantity that vanishes, like the Gaussian curvature of a torus, is a sum whose terms leave
+/// rounding errors.)
 constexpr double kSurfaceReproducibility = 1e-9;
 constexpr double kSurfaceFloor = 1e3 * kEnergyFloor;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Runs, certifies on the way, and judges.
+/// Runs, certifies on the way, and decides the status.
 #include "catalog/entry.h"
 
 #include <fmt/format.h>
@@ -11,16 +11,16 @@
 namespace umbilic::catalog {
 namespace {
 
-/// Relative error bars beyond this say no more than an upper bound does.
+/// An extrapolation with a relative error larger than this says no more than an upper bound does.
 constexpr double kWidestError = 0.1;
 
-/// Ends `run`, level by level. A level is certified when it has ended, before its surface is refined: on the last one
-/// of at most `certified_faces`.
+/// Completes `run`, level by level. The certificate is computed when a level has ended, before its surface is refined:
+/// on the last level with at most `certified_faces` faces.
 class Computation {
  public:
   Computation(Run run, const EntrySettings& settings) : run_(std::move(run)), settings_(settings) {}
 
-  /// False where `watch` ends it.
+  /// Returns false if `watch` ended the run.
   bool finish(const Watch& watch) {
     while (run_.progress().phase != Phase::kDone) {
       if (run_.progress().phase == Phase::kReport && certifiable() && !certify(watch)) return false;

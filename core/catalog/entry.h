@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// One entry of the catalog: a minimizer, its energies, and what is known of them.
+/// One entry of the catalog: a minimizer, its energies, and how well they are known.
 #pragma once
 
 #include <functional>
@@ -15,16 +15,16 @@ namespace umbilic::catalog {
 
 enum class EntryStatus {
   kConverged,           ///< the levels' energies tend to `energy` +- `error`
-  kUpperBound,          ///< of a genuine surface, whose levels tell no limit
+  kUpperBound,          ///< the energy of an actual surface; its levels determine no limit
   kZeroAttained,        ///< surfaces of energy 0 are known
-  kInfimumNotAttained,  ///< it is known
+  kInfimumNotAttained,  ///< the infimum is known, but no surface has it
   kNoneFound,           ///< no surface of finite energy
 };
 
 /// "converged", "upper_bound", "zero_attained", "infimum_not_attained", "none_found".
 std::string_view name_of(EntryStatus status);
 
-/// The same shape from the other family of cages.
+/// The result for the same shape from the other family of cages.
 struct SecondFamily {
   FrameFamily family;
   LimitReport limit;
@@ -38,7 +38,7 @@ struct Entry {
   EntryStatus status = EntryStatus::kNoneFound;
   double energy = 0;
   std::optional<double> error;
-  std::string reason;  ///< why there is no error, empty where there is one
+  std::string reason;  ///< why there is no error bar; empty if there is one
   std::optional<double> paper;
   std::optional<ExactEnergy> exact;
   GroupReport group;
@@ -51,10 +51,10 @@ struct Entry {
   Points orbit_points;  ///< of the best level's minimizer, see driver/symmetric_cage.h
 };
 
-/// Says where a computation stands and returns whether it is to go on.
+/// Called during a computation with the current run; returns whether to continue.
 using Watch = std::function<bool(const Run&)>;
 
-/// Nothing where `watch` ends it.
+/// Nothing if `watch` ended it.
 std::optional<Entry> compute_entry(const CatalogShape& shape, const CatalogFunctional& functional,
                                    const EntrySettings& settings, const Watch& watch);
 
@@ -65,7 +65,7 @@ struct StartResult {
 
 std::optional<StartResult> compute_start(const Start& start, const EntrySettings& settings, const Watch& watch);
 
-/// Whether two results agree within their error bars; nothing where one has none.
+/// Whether two results agree within their error bars; nothing if one has no error bar.
 std::optional<bool> agree(const LimitReport& a, const LimitReport& b);
 
 }  // namespace umbilic::catalog

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Lawson surfaces, tori of revolution and the sphere.
+/// Known energies of Lawson surfaces, tori of revolution and the sphere.
 #include "catalog/reference.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What mathematics knows of the catalog's minimizers: least energies within the symmetry of the shape, and infima that
-/// no surface attains.
+/// What is known in theory about the catalog's minimizers: smallest energies among surfaces with the shape's symmetry,
+/// and infima that no surface attains.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 namespace umbilic::catalog {
 
 struct ExactEnergy {
-  double energy;       ///< the least, or the infimum
-  double error;        ///< of the number given
-  bool attained;       ///< by a surface
-  std::string source;  ///< a short phrase
+  double energy;       ///< the minimum or infimum
+  double error;        ///< error of the number
+  bool attained;       ///< whether some surface has this energy
+  std::string source;  ///< where it is from, a short phrase
 };
 
 /// Bending of Lawson's minimal surface xi_{genus,1} of the 3-sphere, stereographically projected: 4 W - 8 pi (1 -
@@ -25,7 +25,7 @@ struct ExactEnergy {
 /// 2 and 3. Nothing for other genera.
 std::optional<ExactEnergy> lawson_bending(int genus);
 
-/// Nothing where the energy is not known.
+/// The known energy of this entry, or nothing.
 std::optional<ExactEnergy> exact_energy(const CatalogShape& shape, const CatalogFunctional& functional);
 
 }  // namespace umbilic::catalog

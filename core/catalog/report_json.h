@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Parts of reports as JSON objects, with the names and the digits of their text form (problem/text.h), so that they
-/// can be put together and compared.
+/// Parts of reports as JSON objects, with the names and digits of their text form (problem/text.h), so that they can be
+/// combined and compared.
 #pragma once
 
 #include <nlohmann/json.hpp>

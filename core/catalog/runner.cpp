@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// A queue of tasks and the threads that empty it.
+/// A queue of tasks, and the threads that process it.
 #include "catalog/runner.h"
 
 #include <algorithm>

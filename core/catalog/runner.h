@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Computes entries on several threads, one entry at a time on each.
+/// Computes entries on several threads, each one entry at a time.
 #pragma once
 
 #include <functional>
@@ -11,27 +11,27 @@
 
 namespace umbilic::catalog {
 
-/// What a thread works on, to its end unless `watch` ends it.
+/// The work of a task; it ends early if `watch` says so.
 struct CatalogTask {
   std::string name;
-  double cost;  ///< relative to other tasks; the dear ones begin first, so that no thread is left with one
+  double cost;  ///< relative to other tasks; expensive ones begin first, so that none is left for the end
   std::function<void(const Watch& watch)> work;
 };
 
-/// Where the tasks stand.
+/// The current state of the tasks.
 struct CatalogProgress {
   std::size_t done = 0;
   std::size_t count = 0;
-  std::string task;  ///< of the thread that reports
+  std::string task;  ///< the task of the reporting thread
   int level = 0;
 };
 
-/// Runs all tasks, `jobs` >= 1 at a time. `report` is called now and then, by one thread at a time; once it returns
-/// false, no task begins any more and those under way end. Returns whether all were run. `work` is called by several
-/// threads at once.
+/// Runs all tasks, `jobs` >= 1 at a time, and returns whether all were run. `report` is called from time to time, by
+/// one thread at a time; once it returns false, no further task begins and the current ones end. `work` is called by
+/// several threads at once.
 bool run_tasks(std::vector<CatalogTask> tasks, int jobs, const std::function<bool(const CatalogProgress&)>& report);
 
-/// Relative cost of an entry, from its unknowns, which are the same for all frames of one family, and its levels.
+/// Relative cost of an entry, from its levels and its number of unknowns, which is the same for all frames of a family.
 double cost_of(const CatalogShape& shape, const EntrySettings& settings);
 
 }  // namespace umbilic::catalog

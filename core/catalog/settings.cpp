@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Levels, certificates and second families.
+/// Chooses levels, certificates and second families.
 #include "catalog/settings.h"
 
 #include <algorithm>
@@ -11,18 +11,18 @@
 namespace umbilic::catalog {
 namespace {
 
-/// MVS minimizers do not settle: more iterations buy an upper bound that the next level lowers anyway.
+/// MVS minimizers do not converge; more iterations only lower an upper bound that the next level lowers anyway.
 constexpr int kUnsettledIterations = 400;
 
-/// Hub cages of 3-way junctions are evaluable from level 2 on, and a limit takes three levels; for functionals of third
-/// order those from the one on whose caps have two rings. At higher genus that takes minutes.
+/// Hub cages of 3-way junctions are evaluable from level 2 on, and a limit needs three levels. For functionals of third
+/// order these must be levels whose caps have at least two rings. At higher genus this takes minutes.
 constexpr int kHubLevels = 4, kThirdOrderHubLevels = 5, kLargestGenusInDetail = 5;
 
-/// Where the energy tends to 0, or along thinner and thinner tori.
+/// For energies that tend to 0, or whose infimum is only approached by ever thinner tori.
 constexpr int kVanishingLevels = 2;
 constexpr int kVanishingIterations = 200;
 
-/// Those whose minimizers are expected to converge, in the paper as well.
+/// Whether the functional's minimizers are expected to converge, as in the paper.
 bool principal(const CatalogFunctional& functional) {
   return functional.name == "bending" || functional.name == "mvs_cross";
 }

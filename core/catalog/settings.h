@@ -13,18 +13,18 @@ namespace umbilic::catalog {
 struct EntrySettings {
   CageOptions cage;
   RunOptions run;
-  /// Where certificates are wanted: they are taken on the finest level of at most this many faces.
+  /// If set, a certificate is computed on the finest level with at most this many faces.
   std::optional<int> certified_faces;
-  /// The other family of cages for the same shape, and the last level for it.
+  /// If set, the entry is also computed from the other family of cages; and the last level of that run.
   std::optional<FrameFamily> second_family;
   int second_last_level = 0;
 };
 
-/// Levels from 0 to 3 for bending, to 4 where three levels leave an error above 0.05 % and for third-order functionals;
-/// fewer where the infimum is known and not attained, or 0. `last_level` caps them.
+/// Levels from 0 to 3 for bending; to 4 for third-order functionals, and if three levels leave an error above 0.05 %;
+/// fewer if the infimum is known and is not attained, or is 0. `last_level` is an upper bound.
 EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional& functional, int last_level);
 
-/// The paper's figure 3: one shape from a thin and a fat cage.
+/// One run of the paper's figure 3, which minimizes one shape from a thin and from a thick cage.
 struct Start {
   std::string shape;
   std::string functional;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The lists.
+/// The lists of shapes, functionals and the paper's energies.
 #include "catalog/shapes.h"
 
 #include <algorithm>

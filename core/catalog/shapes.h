@@ -14,10 +14,10 @@ namespace umbilic::catalog {
 
 struct CatalogShape {
   std::string name;
-  std::string generator;  ///< what generate_cage calls it
+  std::string generator;  ///< its name for generate_cage
   int genus = 0;
-  int junctions = 0;  ///< 0 for shapes that are no frames
-  int arms = 0;       ///< that meet in a junction
+  int junctions = 0;  ///< 0 if the shape is not a frame
+  int arms = 0;       ///< number of arms at a junction
   bool frame() const { return junctions > 0; }
 };
 
@@ -26,13 +26,13 @@ struct CatalogFunctional {
   Weights weights{};
 };
 
-/// The paper's shapes in its order, those that its text names, the dodecahedron, torus and sphere.
+/// The paper's shapes in its order, those that its text mentions, and the dodecahedron, torus and sphere.
 const std::vector<CatalogShape>& catalog_shapes();
 
 /// The paper's functionals, those that it leaves to future work, and bending + MVS_cross.
 const std::vector<CatalogFunctional>& catalog_functionals();
 
-/// What Joshi & Sequin 2007, Table 1, print for the minimizer.
+/// The energy that Table 1 of Joshi & Sequin 2007 prints.
 std::optional<double> paper_energy(const CatalogShape& shape, const CatalogFunctional& functional);
 
 }  // namespace umbilic::catalog

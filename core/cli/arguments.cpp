@@ -17,7 +17,7 @@ namespace umbilic::cli {
 
 namespace {
 
-/// The enumerator of that name.
+/// The enumerator with this name.
 template <class E>
 Result<E> called(const std::string& name) {
   const auto names = names_of<E>();
@@ -26,7 +26,7 @@ Result<E> called(const std::string& name) {
   return static_cast<E>(found - names.begin());
 }
 
-/// The weights of one functional alone.
+/// Weights with 1 for one functional and 0 for the others.
 Weights single(int functional) {
   Weights weights{};
   weights[functional] = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Arguments that several commands share, and how they are read.
+/// Arguments that several commands share, and their parsing.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,7 +19,7 @@ void add_cage_argument(CLI::App& command, std::string& path);
 /// --cap; `cap` holds the default.
 void add_cap_option(CLI::App& command, CapKind& cap);
 
-/// What the options of a problem say in help texts.
+/// The members of a problem's options, described for help texts.
 extern const char* const kFunctionalWords;
 extern const char* const kWeightsWords;
 extern const char* const kCapWords;
@@ -39,10 +39,10 @@ std::string words(const Weights& weights);
 /// --functional and --weights, not both.
 void add_terms_options(CLI::App& command, Weights& weights);
 
-/// Ends parsing with an error where neither was given.
+/// Ends parsing with an error if neither was given.
 void require_terms(const Weights& weights);
 
-/// Refuses an argument with the message of the Result that `parse` makes of it.
+/// Rejects an argument with the error that `parse` returns for it.
 template <class Parse>
 CLI::Validator checked(Parse parse) {
   return {[parse](std::string& text) {
@@ -52,7 +52,7 @@ CLI::Validator checked(Parse parse) {
           ""};
 }
 
-/// Numbers as arguments: no locale, nothing behind them, nothing infinite.
+/// Parses an argument as a number: independently of the locale, without trailing text, finite.
 Result<int> parse_count(std::string_view text, int least, int most);
 Result<double> parse_real(std::string_view text);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What there is to say about a cage's connectivity before a surface is made of it.
+/// What can be said about a cage's connectivity without evaluating its surface.
 #pragma once
 
 #include <map>
@@ -15,10 +15,10 @@ struct CageShape {
   std::map<int, int> valences;     ///< valence -> number of vertices
   std::map<int, int> face_sizes;   ///< edges -> number of faces
   std::optional<int> first_level;  ///< the first level that can be evaluated
-  std::string obstacle;            ///< why there is none
+  std::string obstacle;            ///< why no level can be evaluated
 };
 
-/// `cage` has passed `validate`.
+/// `cage` must have passed `validate`.
 CageShape shape_of(const Cage& cage);
 
 }  // namespace umbilic::cli

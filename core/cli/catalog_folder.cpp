@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Looks entries up, and writes each as soon as it is there, so that an interrupted catalog goes on where it ended.
+/// Finds entries, and writes each as soon as it is computed, so that an interrupted catalog can be continued.
 #include "cli/catalog_folder.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ Result<Json> read_json(const std::string& path) {
   return json;
 }
 
-/// The place in the order of rows and columns.
+/// Index in the order of rows and columns.
 std::size_t place(const Json& item) {
   const auto index = [](const auto& list, const Json& name) {
     const auto found = std::find_if(list.begin(), list.end(), [&](const auto& known) { return name == known.name; });

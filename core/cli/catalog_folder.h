@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The folder of a catalog: catalog.json, kept in the order of the lists, and the minimizers' files.
+/// The folder of a catalog: catalog.json, sorted like the lists, and the minimizers' files.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@ namespace umbilic::cli {
 
 class CatalogFolder {
  public:
-  /// What the folder holds so far; nothing of another version's. Errors name the file that cannot be read.
+  /// Reads the folder. Content of another version is ignored. Errors name the file that cannot be read.
   static Result<CatalogFolder> open(std::string path);
 
   /// The stored entry or start, or null.
   const catalog::Json* entry(const catalog::CatalogShape& shape, const catalog::CatalogFunctional& functional) const;
   const catalog::Json* start(const catalog::Start& start) const;
 
-  /// Whether the entry is there with its file and was computed with these settings.
+  /// Whether the entry and its file exist and were computed with these settings.
   bool has(const catalog::CatalogShape& shape, const catalog::CatalogFunctional& functional,
            const catalog::EntrySettings& settings) const;
   bool has(const catalog::Start& start, const catalog::EntrySettings& settings) const;
@@ -27,7 +27,7 @@ class CatalogFolder {
   /// The stored minimizer's report; errors name the file.
   Result<std::string> minimizer(const catalog::Json& entry) const;
 
-  /// Replaces what is there, in the files as well.
+  /// Adds or replaces an entry, in the files too.
   std::optional<Error> keep(const catalog::Entry& entry);
   std::optional<Error> keep(const catalog::StartResult& start);
 

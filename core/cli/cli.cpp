@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The command line's frame: help, version, and what becomes of errors.
+/// The outer layer of the command line: help, version, and error handling.
 #include "cli/cli.h"
 
 #include <csignal>
@@ -19,7 +19,7 @@ int run_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", fmt::format("umbilic {}", version()), "Print the version and exit");
   app.set_help_flag("-h,--help", "Print help and exit; every command has its own");
   app.get_formatter()->column_width(32);
-  app.require_subcommand(0, 1);  // so that a misspelt command is named instead of missed
+  app.require_subcommand(0, 1);  // so that the error names a misspelt command
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("umbilic: {}\nRun with --help for more information.\n", error.what());
   });
@@ -28,7 +28,7 @@ int run_command_line(int argc, const char* const* argv) {
       "Exit codes: 0 ended with a result, 1 check-gradient or catalog --check found a mismatch, 2 bad usage,\n"
       "3 bad input, 4 cannot write, 5 the energies are not the surface's (evaluate, optimize), 130 interrupted, with\n"
       "what there was written.");
-  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a failed write like any other
+  std::signal(SIGXFSZ, SIG_IGN);  // treats reaching a file-size limit as a failed write
   int exit_code = kEnded;
   add_instruction_set_option(app);
   add_cage_command(app, exit_code);

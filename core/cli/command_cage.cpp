@@ -37,7 +37,7 @@ struct Segments {
   int minor;
 };
 
-/// "MxN": quads around the axis, and around the tube. generate_cage knows the range.
+/// Parses "MxN": quads around the axis, and around the tube. generate_cage checks the range.
 Result<Segments> parse_segments(std::string_view text) {
   constexpr int kMost = 1'000'000;
   const std::size_t cross = text.find('x');
@@ -53,7 +53,7 @@ Result<FrameFamily> family_called(const std::string& name) {
   return Error{fmt::format("{} is not hub or flag", in_quotes(name))};
 }
 
-/// An option that a cage does not have would be ignored in silence.
+/// An option that the cage does not have, which would silently be ignored.
 std::optional<std::string> misplaced_option(const CLI::App& command, const CageName& cage) {
   const bool frame = cage.kind == CageKind::kTwoJunctions || cage.kind == CageKind::kPolyhedron;
   const bool torus = cage.kind == CageKind::kTorus;

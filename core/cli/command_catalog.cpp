@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// `umbilic catalog`: computes the catalog, or computes it again and compares.
+/// `umbilic catalog`: computes the catalog, or recomputes it and compares.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace {
 
 struct CatalogArguments {
   std::string folder;
-  std::set<std::string> shapes, functionals;  ///< empty: all
+  std::set<std::string> shapes, functionals;  ///< all if empty
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   int last_level = kMostLevels;
   bool anew = false;
@@ -41,7 +41,7 @@ struct CatalogArguments {
   }
 };
 
-/// The tasks of a command over one folder, their results, and what went wrong.
+/// The tasks of a command on one folder, their results, and errors.
 class Session {
  public:
   Session(CatalogFolder folder, const CatalogArguments& arguments)
@@ -127,7 +127,7 @@ class Session {
   CatalogFolder folder_;
   const CatalogArguments& arguments_;
   std::vector<CatalogTask> tasks_;
-  std::mutex mutex_;  // for everything below, and for `folder_` while tasks run
+  std::mutex mutex_;  // protects the members below, and `folder_` while tasks run
   std::atomic<bool> failed_ = false;
   std::string error_;
   int compared_ = 0, different_ = 0;

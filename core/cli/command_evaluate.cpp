@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// `umbilic evaluate`: the energies of a cage's surface as it is.
+/// `umbilic evaluate`: the energies of a cage's surface without minimizing it.
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// `umbilic info`: what a cage is.
+/// `umbilic info`: describes a cage.
 #include <fmt/format.h>
 
 #include <memory>

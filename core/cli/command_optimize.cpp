@@ -29,7 +29,7 @@ namespace {
 
 struct OptimizeArguments {
   std::string input;
-  /// What the flags ask for instead of what a problem's file says.
+  /// Changes by flags to the options of a problem's file.
   std::vector<std::function<void(RunOptions&)>> changes;
   std::optional<std::string> output;
   std::optional<std::string> limit_mesh;
@@ -40,7 +40,7 @@ struct OptimizeArguments {
   bool print_problem = false;
   bool print_schema = false;
 
-  /// The outputs that are wanted.
+  /// The outputs that were requested.
   std::vector<std::string> outputs() const {
     std::vector<std::string> wanted;
     for (const auto& path : {output, limit_mesh, report}) {
@@ -50,7 +50,7 @@ struct OptimizeArguments {
   }
 };
 
-/// Two results at one place: the second would replace the first.
+/// An error if two outputs have the same path, since the second would replace the first.
 std::optional<std::string> shared_output(const std::vector<std::string>& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -82,7 +82,7 @@ bool minimize(Run& run, const InterruptWatch& watch, bool quiet) {
   return by_itself;
 }
 
-/// What there is to say of a run when it has ended.
+/// The results of a run that has ended.
 struct Ending {
   const std::string& cage;  ///< its name
   const ProblemRun& run;
@@ -108,7 +108,7 @@ std::string table(const Ending& ending) {
          credibility_lines(run.energies());
 }
 
-/// Nothing when the user interrupts.
+/// Returns nothing if the user interrupts.
 Result<std::optional<CertificateReport>> certify(const Run& run, const InterruptWatch& watch) {
   Result<Certificate> certificate = run.certify();
   if (!certificate) return certificate.error();
@@ -120,7 +120,7 @@ Result<std::optional<CertificateReport>> certify(const Run& run, const Interrupt
   return std::optional(*report);
 }
 
-/// Writes everything that can be written, whatever fails.
+/// Writes all results, even if some of them fail.
 int write_results(const OptimizeArguments& arguments, const Ending& ending) {
   const Run& run = ending.run.run;
   int exit_code = kEnded;
@@ -138,12 +138,12 @@ int write_results(const OptimizeArguments& arguments, const Ending& ending) {
   }
   write(arguments.report, [&] { return json(ending); });
   for (const std::string& path : arguments.outputs()) {
-    if (path == "-") return exit_code;  // the table would spoil what stands there
+    if (path == "-") return exit_code;  // the table would mix with the result on standard output
   }
   return print(table(ending)) ? exit_code : kCannotWrite;
 }
 
-/// The problem of the command line.
+/// The problem that the command line describes.
 Result<ProblemFile> asked(const OptimizeArguments& arguments) {
   Result<ProblemFile> file = load_problem(arguments.input);
   if (!file) return file.error();
@@ -188,7 +188,7 @@ int run(const OptimizeArguments& arguments) {
   return written == kEnded ? exit_code : written;
 }
 
-/// An option that changes the problem, where it is given.
+/// Adds an option that changes the problem if it is given.
 template <class Parse, class Apply>
 CLI::Option* add_change(CLI::App& command, const std::shared_ptr<OptimizeArguments>& arguments, const char* name,
                         const char* type, const char* words, const Parse& parse, const Apply& apply) {

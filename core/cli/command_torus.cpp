@@ -32,14 +32,14 @@ struct TorusArguments {
 
 /// A line of the table.
 struct Row {
-  double ratio;  ///< 0: the limit of thin tori
+  double ratio;  ///< 0 for the limit of thin tori
   std::string note;
 };
 
 constexpr double kTableStep = 0.05;
 constexpr int kTableRows = 19;
 
-/// The limits as the ratio tends to 0: bending and Willmore grow without bound.
+/// Energies at a ratio; for ratio 0 the limits of thin tori, where bending and Willmore are infinite.
 std::array<double, kFunctionalCount> energies_at(double ratio) {
   if (ratio > 0) return torus_energies(ratio);
   std::array<double, kFunctionalCount> limits = torus_energies(std::numeric_limits<double>::min());

@@ -7,7 +7,7 @@
 
 namespace umbilic::cli {
 
-/// Each adds its command to `app`; when the command line names it, parsing runs it and sets `exit_code`.
+/// Each function adds its command to `app`. If the command line names it, parsing runs it and sets `exit_code`.
 void add_cage_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
 void add_evaluate_command(CLI::App& app, int& exit_code);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the program says: results, errors, and a progress line.
+/// The program's output to the terminal: results, errors, and a progress line.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,8 +19,7 @@ int fail(int exit_code, std::string_view message);
 /// Prints a result to standard output; false, with a message, when that cannot be written.
 bool print(std::string_view text);
 
-/// Progress of a run on standard error: one line that updates where standard error is a terminal, else a line per
-/// level.
+/// Progress of a run on standard error: a line that is updated if standard error is a terminal, else a line per level.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
@@ -42,7 +41,7 @@ class ProgressLine {
   std::chrono::steady_clock::time_point next_update_{};
 };
 
-/// Progress of a catalog on standard error: a bar where that is a terminal, else a line per entry.
+/// Progress of a catalog on standard error: a bar if that is a terminal, else a line per entry.
 class CatalogBar {
  public:
   explicit CatalogBar(bool quiet);

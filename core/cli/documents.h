@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the commands beside `optimize` print as JSON: documents as in problem/text.h, of the same parts as a report.
+/// The JSON output of the commands other than `optimize`: documents as in problem/text.h, with the same parts as a
+/// report.
 #pragma once
 
 #include <optional>
@@ -65,7 +66,7 @@ struct GradientDocument {
   }
 };
 
-/// Of a torus of revolution.
+/// Energies of one torus of revolution.
 struct TorusRow {
   double ratio;
   FunctionalValues energies;
@@ -81,7 +82,7 @@ struct TorusRow {
 struct ToriDocument {
   std::string program;
   std::vector<TorusRow> tori{};
-  std::optional<Weights> terms{};  ///< of the minimizer
+  std::optional<Weights> terms{};  ///< the functional that the minimizer is for
   std::optional<TorusMinimizer> minimizer{};
 
   template <class Visit, class Self>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the program tells the shell.
+/// The exit codes of the program.
 #pragma once
 
 namespace umbilic::cli {
@@ -8,8 +8,8 @@ namespace umbilic::cli {
 enum ExitCode {
   kEnded = 0,        ///< with a result
   kMismatch = 1,     ///< check-gradient and catalog --check only: numbers disagree
-  kBadUsage = 2,     ///< the command line makes no sense
-  kBadInput = 3,     ///< the cage cannot be read, or not be used as asked
+  kBadUsage = 2,     ///< the command line is invalid
+  kBadInput = 3,     ///< the cage cannot be read, or cannot be used in this way
   kCannotWrite = 4,  ///< a result could not be written
   /// The energies are not finite, or not the surface's: below a bound that holds for every closed surface, or with
   /// curvature hidden between the samples. Everything is written all the same.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Reading whole files, and replacing them safely (POSIX).
+/// Reads complete files, and replaces them safely (POSIX).
 #include "cli/files.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ Error cannot_write(const std::string& path, const std::string& why) {
   return Error{fmt::format("cannot write {}: {}", path, why)};
 }
 
-/// The file that `path` leads to through symbolic links, whether it exists or not.
+/// The file to which `path` leads through symbolic links, even if it does not exist.
 fs::path target_of(const std::string& path) {
   fs::path target = path;
   std::error_code error;
@@ -43,7 +43,7 @@ fs::path target_of(const std::string& path) {
   return target;
 }
 
-/// A new file beside `target`, open for writing; removed again unless it is renamed.
+/// A new file next to `target`, open for writing; deleted again unless it is renamed.
 class Draft {
  public:
   explicit Draft(const fs::path& target) : name_(target.string() + ".XXXXXX"), descriptor_(mkstemp(name_.data())) {}
@@ -59,7 +59,7 @@ class Draft {
     return descriptor_ >= 0;
   }
 
-  /// Gives the file the permissions of the one it replaces, or those of a new one.
+  /// Gives the file the permissions of the one that it replaces, or those of a new file.
   bool adopt_permissions(const fs::path& target) {
     struct stat status {};
     const mode_t mask = umask(0);

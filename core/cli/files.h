@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Files of the command line: "-" is standard input or output, and a failed write never costs an existing file.
+/// Files of the command line: "-" means standard input or output, and a failed write never damages an existing file.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace umbilic::cli {
 
-/// A cage with the name that messages call it by.
+/// A cage with its name for messages.
 struct CageFile {
   std::string name;
   Cage cage;
@@ -24,13 +24,14 @@ Result<std::string> read_file(const std::string& path, std::size_t most_bytes = 
 /// Reads and validates the cage at `path`; errors begin with its name.
 Result<CageFile> load_cage(const std::string& path);
 
-/// Why `path` cannot be written later, if that shows now; leaves nothing behind.
+/// Why `path` will not be writable later, if that can be determined now. Leaves nothing behind.
 std::optional<Error> check_writable(const std::string& path);
 
-/// Replaces the file at `path` as a whole: writes beside it, then renames. Devices and pipes are written directly.
+/// Replaces the file at `path` in one step: writes a new file next to it and renames that. Devices and pipes are
+/// written directly.
 std::optional<Error> write_file(const std::string& path, std::string_view text);
 
-/// Whether both name the same file, or both are "-"; devices take any number of results.
+/// Whether both are the same file, or both are "-". Devices never count as the same.
 bool same_output(const std::string& a, const std::string& b);
 
 }  // namespace umbilic::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Signal handling.
+/// Handles signals.
 #include "cli/interrupt.h"
 
 #include <csignal>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Ctrl-C as a wish to end the run.
+/// Lets Ctrl-C end a run early.
 #pragma once
 
 namespace umbilic::cli {
 
-/// While this exists, the first SIGINT or SIGTERM is only remembered; the second ends the program as it would without
-/// this.
+/// While this exists, the first SIGINT or SIGTERM is only remembered; the second ends the program as usual.
 class InterruptWatch {
  public:
   InterruptWatch();

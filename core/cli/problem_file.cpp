@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Tells problems from cages, and puts the text of a cage's file in the place of its path.
+/// Distinguishes problems from cages, and replaces the path of a cage by the file's text.
 #include "cli/problem_file.h"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ bool is_json(std::string_view text) {
   return first != text.npos && text[first] == '{';
 }
 
-/// What messages call the cage, whose text is there.
+/// Reads the text of the cage; returns its name for messages.
 Result<std::string> open_cage(CageInput& input, const fs::path& folder) {
   if (const auto* path = std::get_if<CagePath>(&input)) {
     const std::string file = (folder / path->file).string();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Problems from files: of a problem, of a report that goes on where it ended, or of a cage alone.
+/// Problems from files: a problem, a report whose run is continued, or only a cage.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 namespace umbilic::cli {
 
 struct ProblemFile {
-  Problem problem;       ///< its cage generated or as text, never a path
-  std::string cage;      ///< what messages call the cage
-  bool complete = true;  ///< false for a cage alone, whose problem has no terms yet
+  Problem problem;       ///< its cage is generated or a text, never a path
+  std::string cage;      ///< the cage's name in messages
+  bool complete = true;  ///< false for a file with only a cage; the problem then has no terms
 };
 
-/// Reads the file at `path`, or standard input for "-": a problem or a report where it begins with {, else a cage. A
-/// cage's path in a problem counts from the problem's folder. Errors begin with the file's name.
+/// Reads the file at `path`, or standard input for "-". A file that begins with { is a problem or a report, any other
+/// is a cage. The path of a problem's cage is relative to the problem's folder. Errors begin with the file's name.
 Result<ProblemFile> load_problem(const std::string& path);
 
 }  // namespace umbilic::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Reports as tables for eyes.
+/// Reports as tables for human readers.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ std::string credibility_lines(const EnergyReport& energies);
 std::string result_line(const std::vector<LevelReport>& levels, const LevelReport& result);
 /// The limit with its error bar, or why there is none.
 std::string limit_line(const LimitReport& limit);
-/// Whether the surface is a local minimum; `group` is the symmetry that it was minimized in.
+/// Whether the surface is a local minimum. `group` is the symmetry that the run kept.
 std::string certificate_line(const CertificateReport& certificate, const GroupReport& group);
 
 std::string level_table(const std::vector<LevelReport>& levels);

@@ -27,7 +27,7 @@ int negative_eigenvalues(const Eigen::MatrixXd& symmetric) {
   return static_cast<int>((values.array() < 0).count());
 }
 
-/// Assembling, as a part of the whole; the rest is factoring.
+/// Share of the work that assembling takes; the rest is factoring.
 constexpr double kAssemblyShare = 0.5;
 
 }  // namespace
@@ -63,7 +63,7 @@ struct Certificate::State {
     return kAssemblyShare + (1 - kAssemblyShare) * factor.progress();
   }
 
-  /// Counts, or tries a larger tau.
+  /// Computes the count, or tries again with a larger tau.
   void judge() {
     const bool factored = factor.succeeded();
     if (factored && residual() <= kLargestResidual) return count();
@@ -88,8 +88,8 @@ struct Certificate::State {
     return (right - left).norm() / right.norm();
   }
 
-  /// neg(K + tau S) on the complement of the gauge directions, from [M U G; U^T -C^-1 0; G^T 0 0] with K + tau S = M +
-  /// U C U^T.
+  /// The number of negative eigenvalues of K + tau S on the complement of the gauge directions, from the matrix [M U G;
+  /// U^T -C^-1 0; G^T 0 0] with K + tau S = M + U C U^T.
   void count() {
     int negative = factor.negative();
     const Eigen::MatrixXd directions = orthonormal_gauge(gauge, cage.control);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Fans, halves of quads, and edges.
+/// Triangles from polygons and quads, and edges.
 #include "driver/drawable.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::vector<float> to_floats(const Matrix& matrix) {
   return floats;
 }
 
-/// The centre is halved before it is added, so that the sum of two large coordinates does not overflow.
+/// Halves the coordinates before adding them, so that the sum of two large ones does not overflow.
 void place(const Points& points, DrawableMesh& mesh) {
   mesh.centre = points.colwise().minCoeff() / 2 + points.colwise().maxCoeff() / 2;
   mesh.positions = to_floats(Points(points.rowwise() - mesh.centre.transpose()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Meshes as graphics hardware takes them: single precision, triangles, edges.
+/// Meshes in the form that graphics hardware takes: single precision, triangles, edges.
 #pragma once
 
 #include <cstdint>

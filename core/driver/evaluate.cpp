@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// One look at a surface that is not optimized: its energies, and whether its gradient is right.
+/// Evaluates a surface without optimizing it: its energies, and whether its gradient is right.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 constexpr int kDirections = 5;
 constexpr double kGradientTolerance = 1e-7;
 
-/// Steps of the difference quotient, relative to the cage's extent: the best of them counts, since no step suits all
+/// Steps of the difference quotient, relative to the cage's extent. The best one counts, since no step suits all
 /// energies.
 constexpr std::array kSteps{1e-3, 1e-4, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8};
 
@@ -68,7 +68,7 @@ Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, 
     Points direction(control.rows(), 3);
     for (int k = 0; k < direction.size(); ++k) direction.data()[k] = 2.0 * random() / std::mt19937::max() - 1;
     const double analytic = gradient.cwiseProduct(direction).sum();
-    // A direction in which the energy hardly changes is judged by the gradient's typical slope.
+    // In a direction in which the energy hardly changes, errors are compared with the gradient's typical slope.
     const double scale = std::max(std::abs(analytic), gradient.norm() / std::sqrt(3.0));
     double difference = 0, mismatch = std::numeric_limits<double>::infinity();
     for (const double step : kSteps) {

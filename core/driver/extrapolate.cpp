@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Extrapolates, or refuses to.
+/// Extrapolates, or says why not.
 #include "driver/extrapolate.h"
 
 #include <algorithm>
@@ -32,19 +32,21 @@ LimitReport limit_above(double bound, double energy, double order, double error)
   return {LimitStatus::kConverging, energy, order, error, std::max(energy - error, bound)};
 }
 
-/// Of three levels: functionals of third order may fall slowly along surfaces that never settle.
+/// Whether the surfaces of three levels converge. Functionals of third order may decrease slowly along surfaces that
+/// never do.
 bool settles(const LevelEnergy* levels) {
   const double before = std::abs(levels[1].bending - levels[0].bending);
   const double change = std::abs(levels[2].bending - levels[1].bending);
   return change <= std::max(kSettlingFraction * before, kSettledFraction * levels[2].bending);
 }
 
-/// NaN where an energy has risen.
+/// NaN if an energy has increased.
 double observed_order(double before, double decrease) {
   return before > 0 && decrease > 0 ? std::log2(before / decrease) : kNaN;
 }
 
-/// What the elements' order leaves after the last of `levels`, of an error that was all of an earlier decrease.
+/// The error that is left after the last of `levels`, if an earlier decrease was entirely due to the elements and falls
+/// with their order.
 double left_by_elements(const std::vector<LevelEnergy>& levels, double elements) {
   const LevelEnergy* last = &levels.back();
   const double before = last[-2].energy - last[-1].energy, decrease = last[-1].energy - last[0].energy;

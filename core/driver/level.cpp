@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Makes and builds the metric before the first iteration, and builds it anew as the surface moves away from where it
-/// was built.
+/// Builds the metric before the first iteration, and again when the surface has moved away from where it was built.
 #include "driver/level.h"
 
 #include <algorithm>
@@ -17,26 +16,26 @@
 namespace umbilic {
 namespace {
 
-/// Iterations after which a metric costs less than the iterations that a fresh one saves.
+/// After this many iterations a new metric costs less than the iterations that it saves.
 constexpr int kHessianLifetime = 10;
 constexpr int kSobolevLifetime = 25;
 
-/// Far from a minimum a Hessian may need so much of the Sobolev product that it adds nothing to it: after so many such
-/// metrics in a row Sobolev's alone takes over, unless the surface has so few patches to evaluate that it does not
-/// matter.
+/// Far from a minimum a Hessian may need so much of the Sobolev product that it contributes nothing itself. After this
+/// many uninformative metrics in a row the Sobolev metric is used alone, unless the surface has so few patches that the
+/// cost does not matter.
 constexpr int kPatience = 3;
 constexpr int kCheapPatches = 2100;
 
-/// Of levels that only prepare the first evaluable one.
+/// Tolerance of levels that only prepare the first evaluable one.
 constexpr double kPreparingTolerance = 1e-3;
 
-/// Iterations between two looks at the quadrature's error, each at the cost of one or two evaluations.
+/// Iterations between two checks of the quadrature's error, each of which costs one or two evaluations.
 constexpr int kIterationsOfTrust = 100;
 
-/// What remains of the tolerance where a level has converged above the one before.
+/// Factor of the tolerance after a level has converged above the level before.
 constexpr double kStrictness = 1e-3;
 
-/// Largest first displacement of a control point, relative to the cage's extent.
+/// Largest displacement of a control point in the first trial, relative to the cage's extent.
 constexpr double kLargestStep = 0.1;
 
 double extent(const Points& points) { return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff(); }
@@ -47,9 +46,10 @@ class IdentityMetric : public Metric {
 };
 const IdentityMetric kIdentityMetric;
 
-/// What is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost grows faster with
-/// the unknowns: without symmetry, where there are more patches for each of them, and sooner for functionals that
-/// converge well in any metric: those of second order need it only with symmetry.
+/// Chooses the metric that is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost
+/// grows faster with the number of unknowns. So it does not pay for large surfaces without symmetry, which have more
+/// patches per unknown; and for functionals of second order, which converge well in any metric, it pays only with
+/// symmetry.
 MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
   const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
@@ -186,8 +186,8 @@ bool Level::step() {
   return ended && !goes_on();
 }
 
-/// Whether convergence is not to be believed yet: in a metric that can become better, or in a slow valley above where
-/// the level before has been.
+/// Whether convergence should not be trusted yet: the metric can still become better, or the level has ended above the
+/// one before, as in a slow valley.
 bool Level::goes_on() {
   if (lbfgs_->stop() != StopReason::kConverged) return false;
   const bool in_question = metric_ && (!metric_->settled() || (!metric_->predicts() && vain_metrics_ < kPatience));
@@ -205,8 +205,9 @@ bool Level::goes_on() {
   return true;
 }
 
-/// Whether the Hessian of some iterations ago still tells where a level converges: that of second order does. Where
-/// levels of third order end can depend on each digit of their way, and there is little to gain.
+/// Whether a Hessian from some iterations ago is still good enough to decide that a level has converged. It is for
+/// functionals of second order. For those of third order the result may depend on every digit of the path, and there is
+/// little to gain.
 bool Level::last_hessian_serves() const { return !third_order(options_.weights); }
 
 bool Level::above_the_level_before() const {
@@ -232,7 +233,7 @@ bool Level::rule_is_in_question() const {
 
 bool Level::needs_finer_rule(const EnergyReport& energies) const {
   if (options_.quadrature >= kFinestRules || lbfgs_->iterations() >= options_.max_iterations) return false;
-  // Where a cap becomes wider, a level may begin far above the one before, which is no gain.
+  // A wider cap may let a level begin far above the one before; returning from there is no gain.
   const double start = std::min(*start_energy_, options_.energy_before);
   return exploits_quadrature(options_.weights, start, lbfgs_->best_value(), surface_.objective(energies));
 }

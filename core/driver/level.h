@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// One level of a run: a surface minimized by L-BFGS in a metric that follows it, one unit of work at a time; and
-/// when it is to go on with a finer quadrature rule.
+/// One level of a run: minimizes a surface by L-BFGS in a metric that follows it, one unit of work at a time. Also
+/// decides when to continue with a finer quadrature rule.
 #pragma once
 
 #include <limits>
@@ -17,8 +17,8 @@
 
 namespace umbilic {
 
-/// Convergence is relative to at least this energy, so that functionals whose infimum is 0 end: a millionth of a
-/// sphere's bending.
+/// Convergence is relative to at least this energy, a millionth of a sphere's bending, so that functionals whose
+/// infimum is 0 end.
 inline constexpr double kEnergyFloor = 1e-6 * 8 * std::numbers::pi;
 
 /// Most unknowns of a level that the automatic choice gives the Hessian's metric.
@@ -30,26 +30,28 @@ struct LevelOptions {
   int max_iterations;
   double tolerance;
   MetricChoice metric;
-  /// Of the level before, whose surface this one can take on but for its caps: a minimum is not above it.
+  /// Energy of the level before. Apart from the caps, this level can represent the same surface, so its minimum is not
+  /// higher.
   double energy_before = std::numeric_limits<double>::infinity();
-  int quadrature = 0;  ///< steps by which the rules are finer than usual, see driver/rules.h
+  int quadrature = 0;  ///< by how many steps the rules are refined, see driver/rules.h
 };
 
 class Level {
  public:
-  /// Moves the points of `start`, and evaluates the surface on the mesh of `evaluated_level` >= start.level. What only
-  /// the optimizer needs is made by the first steps, so that a surface that is but looked at is there soon.
+  /// Moves the points of `start`, and evaluates the surface on the mesh of `evaluated_level` >= start.level. The first
+  /// steps make what only the optimizer needs, so that a surface that is only viewed is available soon.
   Level(RefinedCage start, int evaluated_level, const LevelOptions& options);
 
-  /// One energy evaluation, or a part of a metric of no greater cost. Returns whether the level has ended.
+  /// One energy evaluation, or a part of a metric that costs no more. Returns whether the level has ended.
   bool step();
   void cancel();
 
-  /// Whether the best surface's energies should be looked at, as they are now and then and at the level's end.
+  /// Whether the quadrature error of the best surface should be checked now; true at intervals and at the level's end.
   bool rule_is_in_question() const;
-  /// Whether they tell that the surface makes use of the quadrature's error, and a finer rule and iterations are left.
+  /// Whether these energies show that the surface exploits the quadrature error, and a finer rule and iterations are
+  /// left.
   bool needs_finer_rule(const EnergyReport& energies) const;
-  /// The level's continuation from its best surface, by rules one step finer.
+  /// A level that continues from the best surface, with rules one step finer.
   std::unique_ptr<Level> with_finer_rule() const;
   /// The level with a thicker start, where the samples miss curvature of its own and see all of that one; see
   /// driver/thickness.h. Null otherwise.
@@ -57,27 +59,28 @@ class Level {
 
   bool preparing() const { return !lbfgs_; }
   int number() const { return start_.level; }
-  /// Whether the mesh whose points are moved is the one that the surface is evaluated on.
+  /// Whether the surface is evaluated on the mesh whose points are moved.
   bool evaluable() const { return surface_.level() == start_.level; }
   int quadrature() const { return options_.quadrature; }
-  /// Whether it has seemed to converge above the level before, or in a metric that predicts nothing, so that its
-  /// convergence says little.
+  /// Whether the level's convergence says little: it seemed to converge above the level before, or in an uninformative
+  /// metric.
   bool doubtful() const { return strict_ || vain_metrics_ > 0; }
   const Surface& surface() const { return surface_; }
-  /// Control points on the evaluated mesh of the best surface so far.
+  /// Control points of the best surface so far, on the evaluated mesh.
   Points best() const { return lbfgs_ ? unknowns_.control(lbfgs_->best()) : surface_.start(); }
-  /// The mesh whose points are moved, with the best ones so far.
+  /// The mesh whose points are moved, with the best points so far.
   RefinedCage best_cage() const;
-  /// Null while preparing.
+  /// Null while the level is being prepared.
   const Lbfgs* lbfgs() const { return lbfgs_.get(); }
-  /// By all rules.
+  /// Iterations with all rules.
   int iterations() const { return before_.iterations + (lbfgs_ ? lbfgs_->iterations() : 0); }
   int evaluations() const { return before_.evaluations + (lbfgs_ ? lbfgs_->evaluations() : 0); }
-  /// Of the best surface, by the rule that has evaluated it, and its gradient's norm; NaN before the first evaluation.
+  /// Energy of the best surface, by the rule with which it was evaluated, and the norm of its gradient; NaN before the
+  /// first evaluation.
   double energy() const { return evaluated() ? lbfgs_->best_value() : before_.energy; }
   double gradient_norm() const { return evaluated() ? lbfgs_->best_gradient_norm() : before_.gradient_norm; }
 
-  /// What there is to say so far, with the best surface's energies by the reporting rule.
+  /// The report so far, with the best surface's energies by the reporting rule.
   LevelReport report(const EnergyReport& energies) const;
 
  private:
@@ -100,7 +103,7 @@ class Level {
   Coordinates coordinates_;  // of `start_`
   Surface surface_;
   Unknowns unknowns_;
-  std::unique_ptr<SurfaceObjective> objective_;  // null before the first step, as is the metric
+  std::unique_ptr<SurfaceObjective> objective_;  // null before the first step, like the metric
   MetricChoice metric_choice_;                   // never kAutomatic
   std::unique_ptr<SurfaceMetric> metric_;        // null for the identity
   bool building_ = false;
@@ -109,12 +112,12 @@ class Level {
   std::optional<Points> thicker_;      // points of `start_` whose curvature the samples see
   bool thickened_ = false;             // whether `start_` are such points
   int metric_iteration_ = 0, metrics_ = 0;
-  int vain_metrics_ = 0;                // the latest in a row that predict nothing
-  std::optional<double> start_energy_;  // of the level's first surface by its first rule
+  int vain_metrics_ = 0;                // number of latest metrics that were uninformative
+  std::optional<double> start_energy_;  // energy of the level's first surface, by its first rule
   bool strict_ = false;                 // whether the tolerance has been tightened
   bool cancelled_ = false;
 
-  /// What was done with coarser rules.
+  /// Work done with coarser rules.
   struct {
     int iterations = 0, evaluations = 0, metrics = 0;
     double energy = std::numeric_limits<double>::quiet_NaN(), gradient_norm = energy;

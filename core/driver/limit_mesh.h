@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The limit surface as a quad mesh with normals and principal curvatures, for eyes and for files.
+/// The limit surface as a quad mesh with normals and principal curvatures, for viewing and for files.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace umbilic {
 
-/// Quads of the finest limit mesh: what is asked is checked before memory is taken for it.
+/// Largest number of quads of a limit mesh, checked before memory is allocated.
 inline constexpr std::int64_t kMaxLimitQuads = 4'000'000;
 
-/// Vertices shared by neighbouring patches appear once, so the mesh is closed like the surface.
+/// Vertices that neighbouring patches share occur once, so the mesh is closed like the surface.
 struct LimitMesh {
   Points positions;
   Points normals;  ///< unit, outward

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Makes the cage, goes to where the problem starts, and begins the run.
+/// Makes the cage, refines it to the level where the problem starts, and begins the run.
 #include "driver/problem_run.h"
 
 #include "base/instruction_set.h"

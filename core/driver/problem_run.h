@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// A run with the problem that it answers: from a `Problem` to a `Report`.
+/// A run together with its problem: from a `Problem` to a `Report`.
 #pragma once
 
 #include "driver/run.h"
@@ -14,12 +14,11 @@ struct ProblemRun {
   CageReport cage;
   Run run;
 
-  /// Of the best surface so far; `program` and `certificate` are left to those who have them.
+  /// Report on the best surface so far. The caller fills in `program` and `certificate`.
   Report report() const;
 };
 
-/// Fails where the cage cannot be made (problem/cage_of.h), where the points of `start` do not fit it, and as
-/// `Run::create`.
+/// Fails if the cage cannot be made (problem/cage_of.h) or the points of `start` do not fit it, and as `Run::create`.
 Result<ProblemRun> begin_run(Problem problem);
 
 }  // namespace umbilic

@@ -43,7 +43,7 @@ struct EndedLevel {
 
 struct Run::State {
   RunOptions options;
-  int required_level = 0;  // the first that can be evaluated
+  int required_level = 0;  // the first level that can be evaluated
   std::unique_ptr<Level> level;
   std::optional<EndedLevel> best;  // of the levels before `level`, as far as there are any
   std::size_t result = 0;          // the index of the best level, once the run is done
@@ -52,7 +52,7 @@ struct Run::State {
   Progress progress;
   double level_seconds = 0;
   bool cancelled = false;
-  mutable std::optional<EnergyReport> energies;  // of the best surface, while it stays
+  mutable std::optional<EnergyReport> energies;  // cached for the current best surface
   mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
   LevelOptions level_options() const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// One run: a cage, refined level by level and minimized on each, that can be stepped, watched, cancelled and read at
-/// any time.
+/// One run: a cage, refined level by level and minimized on each. It can be stepped, cancelled and read at any time.
 ///
 /// Its result is the best surface of all levels. Levels are not nested, as caps shrink from one to the next, so that an
 /// energy can rise: a little in ordinary runs, much on rough cages, where a finer level shows curvature that the one
@@ -33,20 +32,20 @@ class Run {
   /// their size), the weights are unusable, or the refined mesh would have more than kMaxFaces faces (2 million) or the
   /// run take more than kMostRunBytes of memory (driver/memory.h).
   static Result<Run> create(const Cage& cage, const RunOptions& options);
-  /// The same from a refined mesh, whose levels count from the cage that it comes from: levels before its own are left
-  /// out. Where its symmetry is known, there is no search for it.
+  /// The same from a refined mesh. Levels count from the original cage, and those below that of the mesh are left out.
+  /// If the symmetry is known, it is not searched for.
   static Result<Run> create(const SymmetricCage& cage, const RunOptions& options);
 
   Run(Run&&) noexcept;
   Run& operator=(Run&&) noexcept;
   ~Run();
 
-  /// Does up to `units` units of work: one energy evaluation each, or one part of a level's preparation of no greater
-  /// cost. Returns whether the run is done; further calls do nothing.
+  /// Does up to `units` units of work. A unit is one energy evaluation, or a part of a level's preparation that costs
+  /// no more. Returns whether the run is done; further calls do nothing.
   bool step(int units);
 
-  /// Ends the run at once; what there is so far is its result. The current level's stop reason is kCancelled unless it
-  /// had just ended by itself.
+  /// Ends the run at once. Its result is what has been computed so far. The stop reason of the current level is
+  /// kCancelled unless it had just ended by itself.
   void cancel();
 
   const Progress& progress() const;
@@ -60,14 +59,14 @@ class Run {
   /// The levels ended so far, in order.
   const std::vector<LevelReport>& levels() const;
 
-  /// The symmetry that the run keeps; C1 where there is none or none is wanted.
+  /// The symmetry that the run keeps; C1 if there is none or it is not to be kept.
   GroupReport group() const;
 
   /// The limit of the levels ended so far.
   LimitReport limit() const;
 
-  /// Counts the negative directions at the best surface so far; see CertificateReport. Fails for `flat` caps, whose
-  /// normal directions the Hessian takes as fixed, and for meshes of more than kMaxCertifiedFaces faces.
+  /// Begins to count the negative directions at the best surface so far; see CertificateReport. Fails for `flat` caps,
+  /// whose normals the Hessian holds fixed, and for meshes of more than kMaxCertifiedFaces faces.
   Result<Certificate> certify() const;
 
   /// The control mesh of the best surface so far.
@@ -76,7 +75,7 @@ class Run {
   /// The points of the first vertex of each orbit of `control_mesh`; see driver/symmetric_cage.h.
   Points orbit_points() const;
 
-  /// The best surface so far, small enough to be kept.
+  /// The best surface so far, in a compact form for saving.
   SurfaceState state() const;
 
   /// All energies of the best surface so far by the reporting rule, with the quadrature error. One unit's work, several
@@ -99,8 +98,8 @@ class Run {
 /// `Run::create`, and where a part of the surface is a curve or a point, which has no curvature.
 Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels);
 
-/// Compares the analytic gradient along random directions with central differences of the energy.
-/// The surface is the cage's at the first level that it can be evaluated at. Fails as `Run::create`.
+/// Compares the analytic gradient along random directions with central differences of the energy, on the cage's surface
+/// at the first evaluable level. Fails as `Run::create`.
 Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, CapKind cap);
 
 }  // namespace umbilic

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// An evaluable mesh with everything that measures it: layout, evaluators by both rules, reports.
+/// An evaluable mesh with all that evaluates it: the layout, evaluators by both rules, and reports.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct RefinedCage {
   int level;
   PolygonMesh mesh;
   Points control;
-  SymmetryGroup symmetry;  ///< that the optimizer keeps; C1 keeps none
+  SymmetryGroup symmetry;  ///< the symmetry that the optimizer keeps; C1 for none
   Placement placement{};   ///< from unit coordinates back to the cage's own
 };
 
@@ -38,29 +38,29 @@ struct StartingCage {
   int level = 0;
 };
 
-/// The cage with its symmetry group (or C1 unless `symmetric`) at level 0; its points are made exactly symmetric. Fails
-/// as `required_level`, and where the mesh after `last_level` steps would have more than kMaxFaces faces.
+/// The cage at level 0 with its symmetry group (C1 unless `symmetric`); its points are made exactly symmetric. Fails as
+/// `required_level`, and if the mesh after `last_level` steps would have more than kMaxFaces faces.
 Result<RefinedCage> prepare(const StartingCage& start, int last_level, bool symmetric);
-/// After so many further Catmull-Clark steps.
+/// The cage after `steps` further Catmull-Clark steps.
 RefinedCage refine(RefinedCage cage, int steps);
-/// The polygons of a mesh, their corners in the order of its half-edges.
+/// The polygons of a mesh, with corners in the order of its half-edges.
 Cage to_cage(const PolygonMesh& mesh, Points control);
 
-/// `cage` after `level` Catmull-Clark steps, or as many as it needs to be evaluable. Fails as `prepare`.
+/// `cage` after `level` Catmull-Clark steps, or after as many as it needs to be evaluable. Fails as `prepare`.
 Result<RefinedCage> refine_to_evaluable(const Cage& cage, int level, bool symmetric);
 
 class Surface {
  public:
-  /// Of points with the symmetry of the cage, minimized by a rule so many steps finer than usual.
+  /// For points with the symmetry of the cage, with a minimizing rule refined by `quadrature` steps.
   Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quadrature = 0);
 
   int level() const { return cage_.level; }
   const PolygonMesh& mesh() const { return cage_.mesh; }
   const SymmetryGroup& symmetry() const { return cage_.symmetry; }
   const Placement& placement() const { return cage_.placement; }
-  /// The control points that the surface was made with.
+  /// The control points passed to the constructor.
   const Points& start() const { return cage_.control; }
-  /// One patch of each orbit.
+  /// Has one patch for each orbit of faces.
   const PatchLayout& layout() const { return layout_; }
   const JetEvaluator& jets() const;
   const SurfaceEnergy& energy() const;
@@ -84,12 +84,12 @@ class Surface {
   Weights weights_;
   int quadrature_;
   PatchLayout layout_;
-  // Made when they are asked for the first time.
+  // Made on first use.
   mutable std::unique_ptr<JetEvaluator> jets_, reporting_jets_;
   mutable std::unique_ptr<SurfaceEnergy> energy_;
 };
 
-/// Whether third-order functionals diverge on the mesh with the cap; `error` names a vertex at fault.
+/// Whether third-order functionals diverge on the mesh with this cap; `error` then names a vertex that causes it.
 bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Error& error);
 
 }  // namespace umbilic

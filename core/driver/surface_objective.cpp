@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Between unknowns and control points.
+/// Converts between unknowns and control points.
 #include "driver/surface_objective.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace umbilic {
 namespace {
 
-/// A patch whose area element falls below this fraction of the mean is about to collapse.
+/// A patch is about to collapse if its area element is below this fraction of the mean.
 constexpr double kSmallestRegularity = 1e-9;
 
 /// By how much a defect that is too large may exceed that of the point before. Without it a double cover of a sphere,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The energy of a surface as a function of the optimizer's unknowns: control points, or those of a coarser mesh.
+/// The energy of a surface as a function of the optimizer's unknowns: its control points, or those of a coarser mesh.
 #pragma once
 
 #include "energy/surface_energy.h"
@@ -15,7 +15,7 @@ namespace umbilic {
 /// is itself at fault counts as it is, and what follows may be little worse.
 class SurfaceObjective : public Objective {
  public:
-  /// `energy` and `unknowns` outlive the objective. The start is always finite where its energy is.
+  /// `energy` and `unknowns` must outlive the objective. At the start the value is finite whenever the energy is.
   SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, int euler_characteristic, const Points& start,
                    double lower_bound = 0);
 

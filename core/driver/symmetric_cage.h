@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Refined symmetric surfaces as the control points of one vertex of each orbit, which is how minimizers are kept.
+/// Refined symmetric surfaces, represented by the control points of one vertex of each orbit. Minimizers are stored in
+/// this form.
 #pragma once
 
 #include <optional>
@@ -10,17 +11,17 @@
 
 namespace umbilic {
 
-/// A control mesh so many Catmull-Clark steps from a cage, and the symmetry that it inherits, where that is known.
+/// A control mesh `level` Catmull-Clark steps from a cage, with the symmetry that it inherits if that is known.
 struct SymmetricCage {
   Cage cage;
   std::optional<SymmetryGroup> symmetry;
   int level = 0;
 };
 
-/// The control mesh `level` >= 0 Catmull-Clark steps from `cage` that these points describe: those of the first vertex
-/// of each orbit, of a run that keeps the symmetry of `cage`, which is that of the mesh then; or those of all vertices,
-/// of a run that keeps none, where the mesh may have any symmetry. `Run::orbit_points` gives either. Errors name the
-/// number of points that it takes, or a point that is not finite; fails as `Run::create` otherwise.
+/// The control mesh `level` >= 0 Catmull-Clark steps from `cage` with these points, which may be of two kinds: those of
+/// the first vertex of each orbit, if the run kept the symmetry of `cage`, which the mesh then has; or those of all
+/// vertices, if the run kept none. `Run::orbit_points` gives either. Errors name the expected number of points, or a
+/// point that is not finite; otherwise fails as `Run::create`.
 Result<SymmetricCage> symmetric_cage(const Cage& cage, int level, const Points& orbit_points);
 
 }  // namespace umbilic

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Samples one patch of each orbit on a grid, moves it by the group, and joins the grids along edges and vertices.
+/// Samples one patch of each orbit on a grid, maps it by all elements of the group, and joins the grids along edges and
+/// vertices.
 #include "driver/tessellate.h"
 
 #include <algorithm>
@@ -16,11 +17,11 @@ namespace {
 
 constexpr int kDerivatives = 1 + kSecondOrderCount;
 
-/// Distance from an extraordinary vertex, in faces, at which its normal and curvature are taken: there they have
-/// reached their limit where it exists, and elsewhere show how they diverge.
+/// Distance from an extraordinary vertex, in faces, at which its normal and curvatures are evaluated. There they have
+/// reached their limit if it exists; otherwise they show how they diverge.
 constexpr double kNearby = 1.0 / 256;
 
-/// Names the vertices of all grids such that neighbouring patches share theirs.
+/// Numbers the vertices of all grids so that neighbouring patches share theirs.
 class GridNames {
  public:
   GridNames(const PolygonMesh& mesh, int density) : mesh_(mesh), density_(density) {}
@@ -62,7 +63,7 @@ std::vector<Sample> grid(const PatchKind& kind, int density) {
   return samples;
 }
 
-/// Position, unit normal, and principal curvatures with the sphere's positive, from derivatives through order 2.
+/// Position, unit normal, and principal curvatures (positive on a sphere), from derivatives of order up to 2.
 struct SurfacePoint {
   Vector3 position, normal;
   double kappa1, kappa2;
@@ -95,15 +96,15 @@ Vector3 cap_centre(const Cap& cap, const Points& points) {
 
 namespace {
 
-/// A patch as an element of the symmetry group moves it: x -> center + isometry (x - center). Its half-edge leaves its
-/// corner (0,0) along u, or along v where the element turns the orientation.
+/// The image of a patch under an element of the symmetry group, x -> center + isometry (x - center). Its half-edge runs
+/// along u from its corner (0,0), or along v if the element reverses the orientation.
 struct Image {
   int halfedge;
   bool swapped;
   Eigen::Matrix3d isometry;
 };
 
-/// Each face of the patch's orbit once.
+/// Lists each face of the patch's orbit once.
 void find_images(const PolygonMesh& mesh, const SymmetryGroup& group, int halfedge, std::vector<bool>& reached,
                  std::vector<Image>& images) {
   images.assign(1, {halfedge, false, Eigen::Matrix3d::Identity()});
@@ -114,7 +115,8 @@ void find_images(const PolygonMesh& mesh, const SymmetryGroup& group, int halfed
       const int along = generator.map.halfedges[from.halfedge];
       if (reached[mesh.face(along)]) continue;
       reached[mesh.face(along)] = true;
-      // A reversed edge arrives at the corner's image; the next one leaves it.
+      // The image of the half-edge ends at the corner's image if the orientation is reversed; the next half-edge starts
+      // there.
       const bool reverses = generator.map.reverses;
       images.push_back(
           {reverses ? mesh.next(along) : along, from.swapped != reverses, generator.isometry * from.isometry});
@@ -122,13 +124,13 @@ void find_images(const PolygonMesh& mesh, const SymmetryGroup& group, int halfed
   }
 }
 
-/// Derivatives through order 2 at the vertices of a grid; used again for each picture.
+/// Basis derivatives of order up to 2 at the vertices of a grid, cached for the next picture.
 std::shared_ptr<const BasisTable> grid_table(const PatchKind& kind, int density) {
   static SharedCache<std::pair<PatchKind, int>, BasisTable> tables(kSharedTableBytes);
   return tables.get({kind, density}, [&] { return basis_table(kind, grid(kind, density), 0, kDerivatives); });
 }
 
-/// Sums over the patches that meet in each vertex.
+/// Sums over the patches that meet at each vertex.
 class Tessellation {
  public:
   Tessellation(const PolygonMesh& mesh, const SymmetryGroup& group, int density)
@@ -140,7 +142,7 @@ class Tessellation {
     visits_.assign(names_.count(), 0);
   }
 
-  /// Adds a patch and its images; `points` of its grid, u fastest.
+  /// Adds a patch and its images. `points` are those of its grid, u fastest.
   void add(int halfedge, const std::vector<SurfacePoint>& points) {
     find_images(mesh_, group_, halfedge, reached_, images_);
     for (const Image& image : images_) {

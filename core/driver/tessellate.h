@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// From a layout and its control points to a limit mesh.
+/// Computes the limit mesh of a layout and its control points.
 #pragma once
 
 #include "driver/limit_mesh.h"
@@ -9,8 +9,8 @@
 
 namespace umbilic {
 
-/// `layout` has one patch of each orbit of the group on the faces of `mesh`, and `control` its symmetry; `density` >= 1
-/// quads along each edge of a patch. Quads stand face by face, outward.
+/// `layout` must have one patch of each orbit of the group on the faces of `mesh`, and `control` the symmetry of the
+/// group. `density` >= 1 is the number of quads along each edge of a patch. Quads are ordered by face and face outward.
 LimitMesh tessellate(const PolygonMesh& mesh, const SymmetryGroup& group, const PatchLayout& layout,
                      const Points& control, int density);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Makes the cage that a problem names.
+/// Makes the cage of a problem.
 #pragma once
 
 #include "cage/read.h"
@@ -8,11 +8,11 @@
 
 namespace umbilic {
 
-/// Errors begin with the cage's name, where it has one. A path is an error: no layer below the command line opens
+/// Errors begin with the cage's name, if it has one. A path is an error, because no layer below the command line opens
 /// files.
 Result<CheckedCage> cage_of(const CageInput& input);
 
-/// The error with the cage's name before it, where it has one.
+/// The error, preceded by the cage's name if it has one.
 Error named(const CageInput& input, Error error);
 
 }  // namespace umbilic

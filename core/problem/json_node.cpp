@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Builds the tree from the events of nlohmann's parser, which works without recursion; nothing here throws but for
-/// memory. The only file of the core that includes that library: it takes seconds to compile.
+/// Builds the tree from the events of nlohmann's parser, which works without recursion. Nothing here throws, except for
+/// lack of memory. This is the only file of the core that includes that library, which takes seconds to compile.
 #include "problem/json_node.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace umbilic {
 namespace {
 
-/// What nlohmann::json::sax_parse calls; each returns whether to go on.
+/// The callbacks of nlohmann::json::sax_parse. Each returns whether to continue.
 class TreeBuilder {
  public:
   using Library = nlohmann::json;
@@ -25,7 +25,7 @@ class TreeBuilder {
   bool number_unsigned(Library::number_unsigned_t value) { return put(static_cast<double>(value)); }
   bool number_float(Library::number_float_t value, const std::string&) { return put(value); }
   bool string(std::string& value) { return put(std::move(value)); }
-  bool binary(Library::binary_t&) { return false; }  // of other formats
+  bool binary(Library::binary_t&) { return false; }  // only other formats have it
 
   bool start_object(std::size_t) { return open(JsonNode::Object()); }
   bool end_object() { return close(); }
@@ -36,7 +36,7 @@ class TreeBuilder {
     return true;
   }
 
-  /// Its words end with the place where it stopped and what it had read last, which may be long.
+  /// The parser's message ends with the position where it stopped and the last token, which may be long.
   bool parse_error(std::size_t position, const std::string& last, const nlohmann::detail::exception& why) {
     const std::string_view words = why.what();
     const std::size_t line = words.find("line "), colon = words.find(": ", line == words.npos ? 0 : line);
@@ -79,7 +79,7 @@ class TreeBuilder {
     return true;
   }
 
-  /// Where the next value goes. What is open stays where it is: only the innermost container grows.
+  /// Where the next value is stored. Open containers stay at their addresses, because only the innermost one grows.
   JsonNode& place() {
     if (open_.empty()) return root_;
     if (auto* array = std::get_if<JsonNode::Array>(&open_.back()->value)) return array->emplace_back();

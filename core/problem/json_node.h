@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// A JSON text as a tree, as it stands before anything is known of its meaning.
+/// A JSON text as a tree, before its meaning is known.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct JsonMember;
 
 struct JsonNode {
   using Array = std::vector<JsonNode>;
-  using Object = std::vector<JsonMember>;  ///< in the order of the text, which may repeat a name
+  using Object = std::vector<JsonMember>;  ///< in the order of the text; names may occur twice
   std::variant<std::monostate, bool, double, std::string, Array, Object> value;
 
   template <class T>
@@ -30,11 +30,11 @@ struct JsonMember {
   JsonNode node;
 };
 
-/// Texts come from strangers: longer and deeper ones are refused.
+/// Limits for untrusted texts: longer and deeper ones are refused.
 inline constexpr std::size_t kLongestJson = std::size_t{256} << 20;
 inline constexpr int kDeepestJson = 32;
 
-/// Errors name line and column.
+/// Errors name the line and column.
 Result<JsonNode> parse_json(std::string_view text);
 
 }  // namespace umbilic

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// How a struct says what it consists of, once, for everything that goes over its members: the printer, the reader and
-/// the schema of the text form. A struct with members `level` and `energy` has
+/// How a struct lists its members, once, for all code that iterates over them: the printer, the reader and the schema
+/// of the text form. A struct with members `level` and `energy` has
 ///
 ///     template <class Visit, class Self>
 ///     static void members(Visit&& visit, Self& self) {
@@ -9,11 +9,10 @@
 ///       visit("energy", self.energy, "By the reporting rule");
 ///     }
 ///
-/// `Self` is const where the members are only looked at. The words describe the member in the schema. A member that is
-/// not there when it is read keeps its value, unless it is visited by `visit.required(name, member, words)`;
-/// `visit.pair(name, first, second, words)` visits two numbers that stand together as [first, second]. A new member of
-/// a struct thereby is printed, read and documented as soon as it is in the list. The words may be left out where there
-/// is no schema.
+/// `Self` is const if the members are only read. The text describes the member in the schema, and may be omitted if
+/// there is no schema. A member that is missing in the text keeps its value, unless it is visited by
+/// `visit.required(name, member, words)`. `visit.pair(name, first, second, words)` visits two numbers that form one
+/// member [first, second]. A new member of a struct is printed, read and documented as soon as it is in the list.
 #pragma once
 
 #include <concepts>
@@ -26,8 +25,8 @@
 
 namespace umbilic {
 
-/// Enumerations in a text form are words: `name_of(E)` is a word for each enumerator, from 0 on without a gap, and
-/// empty for everything else.
+/// Enumerations are words in the text form: `name_of(E)` is the word of each enumerator, numbered from 0 without a gap,
+/// and empty for all other values.
 template <class E>
 concept NamedEnumeration = std::is_enum_v<E> && requires(E e) {
   { name_of(e) } -> std::convertible_to<std::string_view>;
@@ -40,9 +39,9 @@ std::vector<std::string_view> names_of() {
   return names;
 }
 
-/// What becomes of members that a struct does not have when it is read. A struct says so by its constant `kUnknown`,
-/// for all that it contains as well: to overlook what was asked would answer another question, but a newer program may
-/// have more to say in an answer.
+/// How the reader treats members that a struct does not have. A struct chooses by its constant `kUnknown`, which also
+/// holds for all that it contains. In a problem they are refused, since ignoring one would solve another problem; in a
+/// report they are ignored, since a newer program may report more.
 enum class Unknown { kRefused, kIgnored };
 
 namespace detail {
@@ -56,7 +55,7 @@ struct AnyVisit {
 };
 }  // namespace detail
 
-/// A struct with a list of its members.
+/// A struct that lists its members.
 template <class T>
 concept HasMembers = requires(T& value, detail::AnyVisit visit) {
   std::remove_cvref_t<T>::members(visit, value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What is in range.
+/// Checks the ranges.
 #include "problem/options.h"
 
 #include <fmt/format.h>

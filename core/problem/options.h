@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// How a run minimizes, as the user asks for it.
+/// The user's options for a run.
 #pragma once
 
 #include "energy/functional.h"
@@ -10,7 +10,7 @@
 namespace umbilic {
 
 struct RunOptions {
-  Weights weights{};  ///< the text form has them beside the options, as the terms of a problem
+  Weights weights{};  ///< in the text form these are the problem's terms, outside its options
   CapKind cap = CapKind::kSmooth;
   int first_level = 0;        ///< >= 0, Catmull-Clark steps from the cage to the first mesh whose points are moved
   int last_level = 2;         ///< >= first_level; limits: see Run::create
@@ -32,7 +32,7 @@ struct RunOptions {
   }
 };
 
-/// Whether all of them are in their ranges; otherwise `error` says which is not.
+/// Whether all options are in range; otherwise `error` names the one that is not.
 bool in_range(const RunOptions& options, Error& error);
 
 }  // namespace umbilic

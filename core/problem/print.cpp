@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Numbers, strings and layout.
+/// Prints numbers and strings, and lays out the text.
 #include "problem/print.h"
 
 #include <fmt/format.h>
@@ -11,8 +11,8 @@
 namespace umbilic {
 namespace {
 
-/// Bytes of the UTF-8 character that `text` begins with; 0 where it begins with none. The second byte of the longer
-/// ones has a narrower range where that excludes needless length, surrogates and what is above U+10FFFF.
+/// Length in bytes of the UTF-8 character at the start of `text`; 0 if there is none. For longer characters the second
+/// byte has a restricted range, which excludes overlong forms, surrogates and values above U+10FFFF.
 std::size_t character_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const auto within = [&](std::size_t i, unsigned least, unsigned most) { return byte(i) >= least && byte(i) <= most; };
@@ -30,7 +30,7 @@ std::size_t character_length(std::string_view text) {
   return 0;
 }
 
-/// Control characters, which are all below U+0020, and what JSON gives a meaning.
+/// Control characters, all below U+0020, and characters with a meaning in JSON.
 void append_escaped(std::string& text, char c) {
   switch (c) {
     case '"': text += "\\\""; break;
@@ -57,13 +57,13 @@ void JsonPrinter::print(double value) {
   if (!std::isfinite(value)) {
     text_ += "null";
   } else if (value == 0 && std::signbit(value)) {
-    text_ += "-0.0";  // what reads integers apart would lose the sign of -0
+    text_ += "-0.0";  // a reader that treats integers separately would lose the sign of -0
   } else {
     fmt::format_to(std::back_inserter(text_), "{}", value);
   }
 }
 
-/// JSON is UTF-8: what is not, as a comment in a file may be, becomes U+FFFD.
+/// JSON must be UTF-8. Invalid bytes, which a comment in a file may contain, become U+FFFD.
 void JsonPrinter::print(std::string_view value) {
   text_ += '"';
   while (!value.empty()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Prints structs with a list of members as JSON. Numbers have the fewest digits that read back as the same number;
-/// those that are not finite become null. An optional member that is empty is left out.
+/// Prints structs that list their members as JSON. Numbers have the fewest digits that are read back as the same
+/// number; those that are not finite become null. An empty optional member is omitted.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ class JsonPrinter {
 
   explicit JsonPrinter(Layout layout) : layout_(layout) {}
 
-  /// One member of the object that is open.
+  /// Prints one member of the current object.
   template <class T>
   void operator()(std::string_view name, const T& member, std::string_view = {}) {
     begin_member(name);
@@ -50,7 +50,7 @@ class JsonPrinter {
   void print(const char* value) { print(std::string_view(value)); }
   /// x, y, z, x, y, z, …
   void print(const Points& points);
-  /// Those that are not 0, by their names.
+  /// Prints the nonzero weights by name.
   void print(const Weights& weights);
   template <NamedEnumeration E>
   void print(E value) {
@@ -82,7 +82,7 @@ class JsonPrinter {
     close('}');
   }
 
-  // What has no struct is printed step by step: begin_member("a"), open('['), begin_element(), print(1), close(']').
+  // For values without a struct: begin_member("a"), open('['), begin_element(), print(1), close(']').
   void open(char bracket);
   void close(char bracket);
   void begin_member(std::string_view name);
@@ -96,10 +96,10 @@ class JsonPrinter {
   Layout layout_;
   std::string text_;
   int depth_ = 0;
-  bool empty_ = true;  // whether nothing stands in the innermost bracket yet
+  bool empty_ = true;  // whether the innermost bracket is still empty
 };
 
-/// Without line breaks.
+/// Prints without line breaks.
 template <class T>
 std::string json_text(const T& value) {
   JsonPrinter printer(JsonPrinter::Layout::kCompact);

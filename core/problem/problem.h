@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What is asked: one problem, from whichever door it comes. Its text form is in text.h.
+/// The input of a run, the same for every interface. Its text form is in text.h.
 ///
 ///     {"umbilic": "problem", "version": 1,
 ///      "cage": {"generator": "two-3"},
@@ -19,13 +19,13 @@
 
 namespace umbilic {
 
-/// A cage of `generate_cage`.
+/// A cage from `generate_cage`.
 struct GeneratedCage {
   static constexpr std::string_view kKey = "generator";
   std::string generator;
   CageOptions options;
 
-  /// Prints only the options that apply to this cage; reads all, of which it ignores the others.
+  /// Prints only the options that apply to this cage. Reads all, and ignores the others.
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit.required("generator", self.generator, "Name of the cage; `umbilic cage --list` prints all");
@@ -44,7 +44,7 @@ struct GeneratedCage {
 /// A cage as the text of an OBJ or OFF file.
 struct CageText {
   static constexpr std::string_view kKey = "text";
-  std::string name;  ///< what messages call it, may be empty
+  std::string name;  ///< name in messages; may be empty
   std::string text;
 
   template <class Visit, class Self>
@@ -54,7 +54,8 @@ struct CageText {
   }
 };
 
-/// A cage in a file beside the problem. Only the command line can open it: it puts the file's text in its place.
+/// A cage in a file, with a path relative to the problem. Only the command line can open it, and replaces it by the
+/// file's text.
 struct CagePath {
   static constexpr std::string_view kKey = "file";
   std::string file;
@@ -67,14 +68,14 @@ struct CagePath {
 
 using CageInput = std::variant<GeneratedCage, CageText, CagePath>;
 
-/// What the surface has to keep besides its symmetry: nothing yet.
+/// What the surface must keep besides its symmetry. Empty so far.
 struct Constraints {
   template <class Visit, class Self>
   static void members(Visit&&, Self&) {}
 };
 
-/// A surface of a run, small enough to be kept: the control mesh `level` Catmull-Clark steps from the cage, as the
-/// points of the first vertex of each orbit of the symmetry that the run keeps. See driver/symmetric_cage.h.
+/// A surface of a run in compact form: the control mesh `level` Catmull-Clark steps from the cage, given by the points
+/// of the first vertex of each orbit of the symmetry that the run keeps. See driver/symmetric_cage.h.
 struct SurfaceState {
   int level = 0;
   Points points;
@@ -87,7 +88,7 @@ struct SurfaceState {
   }
 };
 
-/// Whether the level is one; otherwise `error` says what is wrong.
+/// Whether the level is valid; otherwise `error` says why not.
 bool in_range(const SurfaceState& state, Error& error);
 
 struct Problem {
@@ -95,7 +96,7 @@ struct Problem {
   CageInput cage;
   Constraints constraints{};
   RunOptions options{};  ///< with the terms
-  /// Where the run goes on, at this level and with these points, instead of beginning with the cage at its first level.
+  /// The level and points from which the run starts; if empty, it starts from the cage at the first level.
   std::optional<SurfaceState> start{};
 
   template <class Visit, class Self>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Where a run stands.
+/// The current state of a run.
 #pragma once
 
 #include <string_view>
@@ -28,11 +28,12 @@ struct Progress {
   int iterations = 0;         ///< in this level
   int evaluations = 0;        ///< in this level
   int total_evaluations = 0;  ///< over all levels
-  /// Of the best surface of this level, by the minimizing rule; NaN before the first evaluation. Where the surface
-  /// makes use of that rule's error the level goes on from it with a finer rule, by which its energy is higher.
+  /// Energy of the best surface of this level, by the minimizing rule; NaN before the first evaluation. If the surface
+  /// exploits the error of that rule, the level continues with a finer one, by which the energy is higher.
   double energy = 0;
-  double gradient_norm = 0;       ///< Euclidean, of the best surface, with respect to the control points
-  double predicted_decrease = 0;  ///< estimate of what this level can still gain; NaN before the first iteration
+  double gradient_norm = 0;  ///< Euclidean norm of the best surface's gradient by the control points
+  double predicted_decrease =
+      0;  ///< estimate of how much this level can still decrease the energy; NaN before the first iteration
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {

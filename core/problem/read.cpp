@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Values without members, and the words of the errors.
+/// Reads values without members, and words the errors.
 #include "problem/read.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Reads structs with a list of members from a JSON tree. The first error counts; it names the member:
+/// Reads structs that list their members from a JSON tree. Only the first error is kept; it names the member:
 /// "options.levels[1]: expected a whole number".
 #pragma once
 
@@ -16,7 +16,7 @@ namespace umbilic {
 
 class JsonReader;
 
-/// Visits the members of a struct and takes each from an object.
+/// Visits the members of a struct and reads each from an object.
 class ObjectReader {
  public:
   ObjectReader(JsonReader& reader, const JsonNode::Object& object) : reader_(reader), object_(object) {}
@@ -28,11 +28,11 @@ class ObjectReader {
   template <class T>
   void pair(std::string_view name, T& first, T& second, std::string_view = {});
 
-  /// An error for a member that nobody has asked for.
+  /// Reports an error for a member that was not visited.
   void refuse_the_rest();
 
  private:
-  /// Null where there is none. Two of one name are an error.
+  /// The member with this name, or null. Two members with the same name are an error.
   const JsonNode* find(std::string_view name);
 
   JsonReader& reader_;
@@ -45,12 +45,12 @@ class JsonReader {
   bool ok() const { return !error_; }
   const Error& error() const { return *error_; }
 
-  /// Remembers the error at the place that is being read, unless there is one already.
+  /// Keeps the error for the current position, unless there is one already.
   void fail(std::string_view words);
 
   void read(const JsonNode& node, bool& value);
   void read(const JsonNode& node, int& value);
-  /// null is NaN.
+  /// null becomes NaN.
   void read(const JsonNode& node, double& value);
   void read(const JsonNode& node, std::string& value);
   void read(const JsonNode& node, Points& points);
@@ -84,7 +84,7 @@ class JsonReader {
     read_element((*array)[1], 1, second);
   }
 
-  /// The alternative whose key member is there.
+  /// Reads the alternative whose key member is present.
   template <class... Alternatives>
   void read(const JsonNode& node, std::variant<Alternatives...>& value) {
     const auto* object = node.get_if<JsonNode::Object>();
@@ -102,7 +102,7 @@ class JsonReader {
     read_members(members, value);
   }
 
-  /// The members of a struct, of an object from which others may have been read.
+  /// Reads the members of a struct from an object that may also have others.
   template <HasMembers T>
   void read_members(ObjectReader& members, T& value) {
     const Unknown outside = unknown_;
@@ -118,7 +118,7 @@ class JsonReader {
  private:
   friend class ObjectReader;
 
-  /// Adds a member's name to the path for as long as it lives.
+  /// Appends a member's name to the path during its lifetime.
   class Inside {
    public:
     Inside(JsonReader& reader, std::string_view name) : path_(reader.path_), length_(path_.size()) {
@@ -143,11 +143,11 @@ class JsonReader {
     read(node, value);
   }
 
-  /// The place of a word in the list; -1 and an error where it is in none.
+  /// Index of a word in the list; -1, with an error, if it is not in the list.
   int read_name(const JsonNode& node, const std::vector<std::string_view>& names);
-  /// The place of the only key that the object has; -1 and an error otherwise.
+  /// Index of the only one of these keys that the object has; -1, with an error, otherwise.
   int alternative(const JsonNode::Object& object, const std::vector<std::string_view>& keys);
-  /// The error of a member of what is being read, whose name its words begin with.
+  /// Reports an error for a member of the current value, with whose name the text begins.
   void fail_below(std::string_view words);
 
   Unknown unknown_ = Unknown::kRefused;
