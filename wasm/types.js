@@ -10,7 +10,7 @@
 /** @typedef {'prepare'|'minimize'|'report'|'done'} Phase */
 /**
  * @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'|
- *   'below_bound'|'not_whole'} StopReason
+ *   'below_bound'|'not_resolved'} StopReason
  */
 
 /* ---- problems ---- */
@@ -102,7 +102,7 @@
  * @typedef {{name: string, order: number, incomplete?: string}} Group
  */
 
-/** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'|'not_whole'} LimitStatus */
+/** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'|'not_resolved'} LimitStatus */
 
 /**
  * The estimated limit of the levels' energies. Unless they converge, `energy` is the least of them and `error` is
@@ -125,11 +125,11 @@
  */
 
 /**
- * A quantity is NaN if it diverges. `whole` is false if the samples miss some curvature, so that Gauss-Bonnet fails.
+ * A quantity is NaN if it diverges. `resolved` is false if the samples miss some curvature, so that Gauss-Bonnet fails.
  * `below_bound` is true if an energy is below what any closed surface of the genus has. `embedded` is true if the Willmore
  * energy proves that the surface does not touch itself. `input_rounding`, only for a cage far from the origin, is the largest
  * relative change of each functional that the rounding of the coordinates can cause.
- * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number> & {whole: boolean, below_bound: boolean,
+ * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number> & {resolved: boolean, below_bound: boolean,
  *   embedded: boolean, input_rounding?: Record<FunctionalName, number>}} Energies
  */
 

@@ -24,7 +24,7 @@ Json optional_json(const std::optional<T>& value) {
 }
 
 /// Removes the seconds, which differ in every run.
-std::vector<LevelReport> timeless(std::vector<LevelReport> levels) {
+std::vector<LevelReport> without_times(std::vector<LevelReport> levels) {
   for (LevelReport& level : levels) level.seconds = std::numeric_limits<double>::quiet_NaN();
   return levels;
 }
@@ -35,7 +35,7 @@ Json json_of(const SecondFamily& second, const LimitReport& first) {
           {"error", second.limit.error},
           {"status", std::string(name_of(second.limit.status))},
           {"agrees", optional_json(agree(first, second.limit))},
-          {"levels", part_json(timeless(second.levels))}};
+          {"levels", part_json(without_times(second.levels))}};
 }
 
 bool all_converged(const Json& levels) {
@@ -93,7 +93,7 @@ Json json_of(const Entry& entry) {
   result["group"] = part_json(entry.group);
   result["settings"] = json_of(entry.settings);
   result["energies"] = part_json(entry.energies);
-  result["levels"] = part_json(timeless(entry.levels));
+  result["levels"] = part_json(without_times(entry.levels));
   result["limit"] = part_json(entry.limit);
   result["certificate"] = entry.certificate ? part_json(*entry.certificate) : Json(nullptr);
   result["second_family"] = entry.second ? json_of(*entry.second, entry.limit) : Json(nullptr);
@@ -118,7 +118,7 @@ std::string minimizer_text(const Entry& entry, std::string_view version) {
   report.problem.options = entry.settings.run;
   report.cage = cage_of(report.problem.cage).value().report;
   report.group = entry.group;
-  report.levels = timeless(entry.levels);
+  report.levels = without_times(entry.levels);
   report.limit = entry.limit;
   report.energies = entry.energies;
   report.certificate = entry.certificate;

@@ -72,7 +72,7 @@ Result<Run> create_run(const CatalogShape& shape, const EntrySettings& settings,
 std::string reason_of(const LimitReport& limit, const std::vector<LevelReport>& levels) {
   switch (limit.status) {
     case LimitStatus::kConverging: return "";
-    case LimitStatus::kNotWhole: return "the last level's energies are not its surface's";
+    case LimitStatus::kNotResolved: return "the last level's energies are not its surface's";
     case LimitStatus::kTooFewLevels: return "three levels are needed to tell a limit";
     case LimitStatus::kNotMinimized:
       for (const LevelReport& level : levels) {

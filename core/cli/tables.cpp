@@ -85,7 +85,7 @@ std::string credibility_lines(const EnergyReport& energies) {
         "warning: no closed surface of this genus has so little bending or Willmore energy: these energies are not the "
         "surface's\n";
   }
-  if (!energies.whole) {
+  if (!energies.resolved) {
     text +=
         "warning: the Gaussian curvature does not add up to 2 pi times the Euler characteristic: some "
         "hides in folds or necks,\nand these energies are not the surface's\n";
@@ -138,7 +138,7 @@ std::string limit_line(const LimitReport& limit) {
     case LimitStatus::kNotMinimized: return "not extrapolated: one of the last three levels did not converge\n";
     case LimitStatus::kNotConverging:
       return fmt::format("not extrapolated: {:.10g} is an upper bound, the levels do not converge\n", limit.energy);
-    case LimitStatus::kNotWhole: return "not extrapolated: the last level's energy is not the surface's\n";
+    case LimitStatus::kNotResolved: return "not extrapolated: the last level's energy is not the surface's\n";
   }
   return "";
 }

@@ -18,7 +18,7 @@ LimitReport no_limit(LimitStatus status, double energy, double order) { return {
 double least_energy(const std::vector<LevelEnergy>& levels) {
   double least = kNaN;
   for (const LevelEnergy& level : levels) {
-    if (level.whole && !(level.energy >= least)) least = level.energy;
+    if (level.resolved && !(level.energy >= least)) least = level.energy;
   }
   return std::isnan(least) ? levels.back().energy : least;
 }
@@ -64,7 +64,7 @@ double left_by_elements(const std::vector<LevelEnergy>& levels, double elements)
 LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order, double lower_bound) {
   if (levels.empty()) return no_limit(LimitStatus::kTooFewLevels, kNaN, kNaN);
   const double last = levels.back().energy, least = least_energy(levels);
-  if (!levels.back().whole) return no_limit(LimitStatus::kNotWhole, least, kNaN);
+  if (!levels.back().resolved) return no_limit(LimitStatus::kNotResolved, least, kNaN);
   if (levels.size() < 3) return no_limit(LimitStatus::kTooFewLevels, least, kNaN);
   const LevelEnergy* three = &levels[levels.size() - 3];
   const bool minimized = std::all_of(three, three + 3, [](const LevelEnergy& l) { return l.minimized; });

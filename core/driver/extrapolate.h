@@ -35,7 +35,7 @@ struct LevelEnergy {
   double uncertainty = 0;  ///< error of the minimization and the quadrature
   double bending = 0;      ///< bending energy of the same surface
   bool minimized = true;
-  bool whole = true;  ///< whether the energy can be the surface's: EnergyReport::credible
+  bool resolved = true;  ///< whether the energy can be the surface's: EnergyReport::credible
 };
 
 /// Smallest observed order at which three levels are believed to be in their asymptotic range.

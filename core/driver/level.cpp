@@ -23,17 +23,17 @@ constexpr int kSobolevLifetime = 25;
 /// Far from a minimum a Hessian may need so much of the Sobolev product that it contributes nothing itself. After this
 /// many uninformative metrics in a row the Sobolev metric is used alone, unless the surface has so few patches that the
 /// cost does not matter.
-constexpr int kPatience = 3;
+constexpr int kUninformativeInARow = 3;
 constexpr int kCheapPatches = 2100;
 
 /// Tolerance of levels that only prepare the first evaluable one.
 constexpr double kPreparingTolerance = 1e-3;
 
 /// Iterations between two checks of the quadrature's error, each of which costs one or two evaluations.
-constexpr int kIterationsOfTrust = 100;
+constexpr int kIterationsBetweenChecks = 100;
 
 /// Factor of the tolerance after a level has converged above the level before.
-constexpr double kStrictness = 1e-3;
+constexpr double kToleranceReduction = 1e-3;
 
 /// Largest displacement of a control point in the first trial, relative to the cage's extent.
 constexpr double kLargestStep = 0.1;
@@ -137,14 +137,14 @@ void Level::make_metric() {
 }
 
 bool Level::metric_is_stale() const {
-  if (!metric_ || !lbfgs_->between_iterations() || (last_hessian_serves() && lbfgs_->has_nearly_converged()))
+  if (!metric_ || !lbfgs_->between_iterations() || (last_hessian_suffices() && lbfgs_->has_nearly_converged()))
     return false;
   const int lifetime = metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
   return lbfgs_->iterations() - metric_iteration_ >= lifetime;
 }
 
-bool Level::metric_is_in_vain() const {
-  return vain_metrics_ >= kPatience && surface_.layout().patch_count() > kCheapPatches;
+bool Level::hessian_is_uninformative() const {
+  return uninformative_metrics_ >= kUninformativeInARow && surface_.layout().patch_count() > kCheapPatches;
 }
 
 bool Level::step() {
@@ -159,7 +159,7 @@ bool Level::step() {
     return false;
   }
   if (lbfgs_ && !building_ && metric_is_stale()) {
-    if (options_.metric == MetricChoice::kAutomatic && metric_is_in_vain()) {
+    if (options_.metric == MetricChoice::kAutomatic && hessian_is_uninformative()) {
       metric_choice_ = MetricChoice::kSobolev;
       make_metric();
       lbfgs_->set_metric(*metric_);
@@ -170,7 +170,7 @@ bool Level::step() {
     if (!metric_->advance()) return false;
     building_ = false;
     ++metrics_;
-    vain_metrics_ = metric_->predicts() ? 0 : vain_metrics_ + 1;
+    uninformative_metrics_ = metric_->predicts() ? 0 : uninformative_metrics_ + 1;
     if (lbfgs_) {
       metric_iteration_ = lbfgs_->iterations();
       if (metric_->knows_hessian()) lbfgs_->forget();
@@ -183,20 +183,21 @@ bool Level::step() {
   const int iterations = lbfgs_->iterations();
   const bool ended = lbfgs_->step();
   if (lbfgs_->iterations() > iterations) objective_->accept();
-  return ended && !goes_on();
+  return ended && !should_continue();
 }
 
 /// Whether convergence should not be trusted yet: the metric can still become better, or the level has ended above the
 /// one before, as in a slow valley.
-bool Level::goes_on() {
+bool Level::should_continue() {
   if (lbfgs_->stop() != StopReason::kConverged) return false;
-  const bool in_question = metric_ && (!metric_->settled() || (!metric_->predicts() && vain_metrics_ < kPatience));
+  const bool in_question =
+      metric_ && (!metric_->settled() || (!metric_->predicts() && uninformative_metrics_ < kUninformativeInARow));
   if (!in_question) {
     if (strict_ || !above_the_level_before()) return false;
     strict_ = true;
   }
-  lbfgs_->resume(strict_ ? kStrictness * options_.tolerance : options_.tolerance);
-  if (metric_ && !metric_->settled() && last_hessian_serves()) {
+  lbfgs_->resume(strict_ ? kToleranceReduction * options_.tolerance : options_.tolerance);
+  if (metric_ && !metric_->settled() && last_hessian_suffices()) {
     metric_->settle();
     building_ = true;
   } else if (metric_) {
@@ -208,7 +209,7 @@ bool Level::goes_on() {
 /// Whether a Hessian from some iterations ago is still good enough to decide that a level has converged. It is for
 /// functionals of second order. For those of third order the result may depend on every digit of the path, and there is
 /// little to gain.
-bool Level::last_hessian_serves() const { return !third_order(options_.weights); }
+bool Level::last_hessian_suffices() const { return !third_order(options_.weights); }
 
 bool Level::above_the_level_before() const {
   return evaluable() && lbfgs_->best_value() >
@@ -225,10 +226,11 @@ void Level::cancel() {
   if (lbfgs_) lbfgs_->cancel();
 }
 
-bool Level::rule_is_in_question() const {
+bool Level::should_check_rule() const {
   if (!lbfgs_ || cancelled_ || !evaluable()) return false;
   const int iterations = lbfgs_->iterations();
-  return lbfgs_->ended() || (lbfgs_->between_iterations() && iterations > 0 && iterations % kIterationsOfTrust == 0);
+  return lbfgs_->ended() ||
+         (lbfgs_->between_iterations() && iterations > 0 && iterations % kIterationsBetweenChecks == 0);
 }
 
 bool Level::needs_finer_rule(const EnergyReport& energies) const {
@@ -281,8 +283,8 @@ LevelReport Level::report(const EnergyReport& energies) const {
   if (claims_a_minimum(report.stop)) {
     if (energies.below_bound) {
       report.stop = StopReason::kBelowBound;
-    } else if (!energies.whole) {
-      report.stop = StopReason::kNotWhole;
+    } else if (!energies.resolved) {
+      report.stop = StopReason::kNotResolved;
     }
   }
   return report;

@@ -47,7 +47,7 @@ class Level {
   void cancel();
 
   /// Whether the quadrature error of the best surface should be checked now; true at intervals and at the level's end.
-  bool rule_is_in_question() const;
+  bool should_check_rule() const;
   /// Whether these energies show that the surface exploits the quadrature error, and a finer rule and iterations are
   /// left.
   bool needs_finer_rule(const EnergyReport& energies) const;
@@ -64,7 +64,7 @@ class Level {
   int quadrature() const { return options_.quadrature; }
   /// Whether the level's convergence says little: it seemed to converge above the level before, or in an uninformative
   /// metric.
-  bool doubtful() const { return strict_ || vain_metrics_ > 0; }
+  bool doubtful() const { return strict_ || uninformative_metrics_ > 0; }
   const Surface& surface() const { return surface_; }
   /// Control points of the best surface so far, on the evaluated mesh.
   Points best() const { return lbfgs_ ? unknowns_.control(lbfgs_->best()) : surface_.start(); }
@@ -92,9 +92,9 @@ class Level {
   void make_metric();
   void rebuild_metric();
   bool metric_is_stale() const;
-  bool metric_is_in_vain() const;
-  bool goes_on();
-  bool last_hessian_serves() const;
+  bool hessian_is_uninformative() const;
+  bool should_continue();
+  bool last_hessian_suffices() const;
   bool above_the_level_before() const;
   bool evaluated() const { return lbfgs_ && lbfgs_->evaluations() > 0; }
 
@@ -112,7 +112,7 @@ class Level {
   std::optional<Points> thicker_;      // points of `start_` whose curvature the samples see
   bool thickened_ = false;             // whether `start_` are such points
   int metric_iteration_ = 0, metrics_ = 0;
-  int vain_metrics_ = 0;                // number of latest metrics that were uninformative
+  int uninformative_metrics_ = 0;       // number of latest metrics that were uninformative
   std::optional<double> start_energy_;  // energy of the level's first surface, by its first rule
   bool strict_ = false;                 // whether the tolerance has been tightened
   bool cancelled_ = false;

@@ -35,7 +35,7 @@ struct EndedLevel {
     const double energy = report.energy_reported;
     if (!std::isfinite(energy) || !std::isfinite(energies.quadrature_error)) return {3, !report.evaluable, 0};
     if (energies.below_bound) return {2, !report.evaluable, 0};
-    return {energies.whole ? 0 : 1, !report.evaluable, energy};
+    return {energies.resolved ? 0 : 1, !report.evaluable, energy};
   }
 };
 
@@ -111,7 +111,7 @@ struct Run::State {
         const bool stays = progress.energy == before || (std::isnan(progress.energy) && std::isnan(before));
         if (!stays) energies.reset();
         if (auto thicker = level->with_thicker_start()) replace_level(std::move(thicker));
-        if (level->rule_is_in_question() && level->needs_finer_rule(report_energies()))
+        if (level->should_check_rule() && level->needs_finer_rule(report_energies()))
           replace_level(level->with_finer_rule());
         break;
       }

@@ -108,7 +108,7 @@ EnergyReport Surface::report(const Points& control) const {
   report.area = std::ldexp(integrals.area, 2 * placement().exponent);
   report.gaussian = integrals.gaussian;
   const double defect = gauss_bonnet_defect(report.gaussian, mesh().euler_characteristic());
-  report.whole = defect <= kLargestDefect;
+  report.resolved = defect <= kLargestDefect;
   if (layout_.cap() == CapKind::kNone && !layout_.caps().empty()) {
     for (int i = 0; i < kFunctionalCount; ++i) {
       if (is_third_order(i)) report.functionals[i] = std::numeric_limits<double>::quiet_NaN();
@@ -123,7 +123,8 @@ EnergyReport Surface::report(const Points& control) const {
   willmore_alone[kWillmore] = 1;
   report.below_bound = below(lower_bound(), objective(report), report.quadrature_error) ||
                        below(umbilic::lower_bound(willmore_alone, genera_), willmore, error);
-  report.embedded = genera_.size() == 1 && report.whole && !report.below_bound && willmore + error < kEmbeddedWillmore;
+  report.embedded =
+      genera_.size() == 1 && report.resolved && !report.below_bound && willmore + error < kEmbeddedWillmore;
   return report;
 }
 

@@ -40,14 +40,14 @@ struct EnergyReport {
   /// origin (cage/placement.h), where it is no more than other rounding errors; NaN where the quantity diverges. See
   /// driver/input_rounding.h.
   std::optional<FunctionalValues> input_rounding{};
-  bool whole = true;  ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
+  bool resolved = true;  ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
   /// Whether an energy is below what any closed surface of the genus has, see driver/contradiction.h.
   bool below_bound = false;
   /// Whether the surface is proved to be embedded: connected, and with its error below Li & Yau's 8 pi of `willmore`.
   bool embedded = false;
 
   /// Whether these can be the energies of a surface, and both rules have found some.
-  bool credible() const { return whole && !below_bound && std::isfinite(quadrature_error); }
+  bool credible() const { return resolved && !below_bound && std::isfinite(quadrature_error); }
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
@@ -57,7 +57,7 @@ struct EnergyReport {
     visit("area", self.area, "Area of the surface");
     visit("gaussian", self.gaussian, "Integral of the Gaussian curvature");
     visit("quadrature_error", self.quadrature_error, "By how much the reporting and the minimizing rule differ");
-    visit("whole", self.whole, "Whether the Gaussian curvature is that of a closed surface");
+    visit("resolved", self.resolved, "Whether the Gaussian curvature is that of a closed surface");
     visit("below_bound", self.below_bound, "Whether an energy is below what any closed surface of the genus has");
     visit("embedded", self.embedded, "Whether the Willmore energy proves that the surface does not touch itself");
     visit("input_rounding", self.input_rounding, "Relative changes by the rounding of a cage far from the origin");
@@ -125,17 +125,17 @@ enum class LimitStatus {
   kTooFewLevels,   ///< fewer than three evaluable levels
   kNotMinimized,   ///< one of the last three levels did not converge
   kNotConverging,  ///< the last three levels are in no asymptotic range: the least energy is an upper bound
-  kNotWhole,       ///< the last level's energy is not the surface's: curvature hides between its samples
+  kNotResolved,       ///< the last level's energy is not the surface's: curvature hides between its samples
 };
 
-/// "converging", "too_few_levels", "not_minimized", "not_converging", "not_whole".
+/// "converging", "too_few_levels", "not_minimized", "not_converging", "not_resolved".
 constexpr std::string_view name_of(LimitStatus status) {
   switch (status) {
     case LimitStatus::kConverging: return "converging";
     case LimitStatus::kTooFewLevels: return "too_few_levels";
     case LimitStatus::kNotMinimized: return "not_minimized";
     case LimitStatus::kNotConverging: return "not_converging";
-    case LimitStatus::kNotWhole: return "not_whole";
+    case LimitStatus::kNotResolved: return "not_resolved";
   }
   return "";
 }

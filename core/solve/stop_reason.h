@@ -17,11 +17,11 @@ enum class StopReason {
   kCancelled,
   // Not the optimizer's own, but what is found of the point where it ended:
   kBelowBound,  ///< the energy is below what any closed surface has: it is not the surface's
-  kNotWhole,    ///< curvature hides between the samples: the energy is not the surface's
+  kNotResolved,    ///< curvature hides between the samples: the energy is not the surface's
 };
 
 /// "converged", "max_iterations", "line_search_stalled", "round_off", "not_finite", "degenerate", "cancelled",
-/// "below_bound", "not_whole".
+/// "below_bound", "not_resolved".
 constexpr std::string_view name_of(StopReason reason) {
   switch (reason) {
     case StopReason::kConverged: return "converged";
@@ -32,7 +32,7 @@ constexpr std::string_view name_of(StopReason reason) {
     case StopReason::kDegenerate: return "degenerate";
     case StopReason::kCancelled: return "cancelled";
     case StopReason::kBelowBound: return "below_bound";
-    case StopReason::kNotWhole: return "not_whole";
+    case StopReason::kNotResolved: return "not_resolved";
   }
   return "";
 }

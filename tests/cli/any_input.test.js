@@ -51,9 +51,9 @@ describe('a cage far from the origin', () => {
     const options = ['--functional', 'bending', '--levels', '0..1', '-q', '-o', 'out.obj', '--report', 'out.json'];
     expect(outputOf(['optimize', far, ...options], scratch)).toMatch(note);
     const {
-      energies: { input_rounding, whole, ...energies },
+      energies: { input_rounding, resolved, ...energies },
     } = JSON.parse(scratch.read('out.json'));
-    expect(whole).toBe(true);
+    expect(resolved).toBe(true);
     const again = jsonOf(['evaluate', 'out.obj', '--json'], scratch);
     for (const [name, energy] of Object.entries(energies)) {
       if (name === 'quadrature_error') continue;

@@ -129,7 +129,7 @@ describe('a surface that folds flat', () => {
     });
     expect(code).toBe(5);
     const report = JSON.parse(scratch.read('flat.json'));
-    expect(report.energies).toMatchObject({ whole: false, below_bound: true, embedded: false });
+    expect(report.energies).toMatchObject({ resolved: false, below_bound: true, embedded: false });
     expect(report.levels[0]).toMatchObject({ stop: 'below_bound', credible: false });
   });
 });

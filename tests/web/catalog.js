@@ -35,7 +35,7 @@ export function entry(shape, functional, more = {}) {
       area: 0.295,
       gaussian: -12.566,
       quadrature_error: 1e-5,
-      whole: true,
+      resolved: true,
     },
     levels: [3, 4].map((level) => ({
       level,

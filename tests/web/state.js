@@ -53,7 +53,7 @@ export function energies(bending) {
     area: 12,
     gaussian: -4 * Math.PI,
     quadrature_error: 0.01,
-    whole: true,
+    resolved: true,
   };
 }
 

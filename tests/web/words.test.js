@@ -152,7 +152,7 @@ describe('the limit of the levels', () => {
       error: '',
       words: 'no error bar: a level ended before its minimum',
     });
-    const folded = { ...noLimit(), status: /** @type {const} */ ('not_whole'), energy: 1e-22 };
+    const folded = { ...noLimit(), status: /** @type {const} */ ('not_resolved'), energy: 1e-22 };
     expect(limitWords(folded, levels).value).toBe('');
     expect(limitWords(folded, levels).words).toContain('∫ K dA is not 2πχ');
   });

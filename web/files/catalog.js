@@ -18,7 +18,7 @@
  * @typedef {{name: string, genus: number, junctions: number, arms: number, cage: GeneratedCage}} CatalogShape
  */
 
-/** A quantity is null if it diverges. @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number | null> & {whole: boolean}} EntryEnergies */
+/** A quantity is null if it diverges. @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number | null> & {resolved: boolean}} EntryEnergies */
 
 /** @typedef {Omit<LevelReport, 'energy_reported' | 'seconds'> & {energy_reported: number | null, seconds: null}} EntryLevel */
 

@@ -103,6 +103,6 @@ export const stopWords = {
   degenerate: 'surface collapsed',
   cancelled: 'cancelled',
   below_bound: 'below any surface’s energy',
-  not_whole: 'curvature hidden between samples',
+  not_resolved: 'curvature hidden between samples',
   interrupted: 'interrupted',
 };

@@ -33,7 +33,7 @@ export function limitWords({ status, energy, order, error }, levels) {
     }
     case 'not_minimized':
       return { value: '', error: '', words: 'no error bar: a level ended before its minimum' };
-    case 'not_whole':
+    case 'not_resolved':
       return { value: '', error: '', words: 'no error bar: curvature hides in folds or necks, ∫ K dA is not 2πχ' };
     case 'not_converging':
       return { value: significant(energy), error: '', words: 'upper bound, not converging' };

@@ -54,8 +54,8 @@ TEST(Contradiction, ends_all_levels_of_a_flat_box_whatever_the_functional) {
 TEST(Contradiction, of_gauss_and_bonnet_ends_a_sphere_that_covers_another_twice) {
   // Branched at the poles: the integral of K is 8 pi instead of 4 pi, and bending above its bound.
   const umbilic::Run run = judged(wound_sphere(6, 3, 2), "bending=1", 200, 1);
-  EXPECT_EQ(name_of(run.levels().back().stop), "not_whole");
-  EXPECT_FALSE(run.energies().whole);
+  EXPECT_EQ(name_of(run.levels().back().stop), "not_resolved");
+  EXPECT_FALSE(run.energies().resolved);
   EXPECT_FALSE(run.energies().below_bound);
 }
 

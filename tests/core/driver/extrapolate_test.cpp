@@ -144,7 +144,7 @@ TEST(Extrapolate, adds_what_minimization_and_quadrature_leave_of_the_last_two_le
 double least_energy(const std::vector<LevelEnergy>& levels) {
   double least = std::numeric_limits<double>::infinity();
   for (const LevelEnergy& level : levels) {
-    if (level.whole) least = std::min(least, level.energy);
+    if (level.resolved) least = std::min(least, level.energy);
   }
   return std::isfinite(least) ? least : levels.back().energy;
 }
@@ -166,8 +166,8 @@ TEST(Extrapolate, refuses_fewer_than_three_levels) {
 TEST(Extrapolate, refuses_energies_that_are_not_the_surfaces_however_few_there_are) {
   for (int count = 1; count < 4; ++count) {
     auto levels = sequence(1, 1, 2, count);
-    levels.back().whole = false;
-    expect_refused(levels, LimitStatus::kNotWhole);
+    levels.back().resolved = false;
+    expect_refused(levels, LimitStatus::kNotResolved);
   }
 }
 

@@ -32,7 +32,7 @@ export function entry(shape, functional, more = {}) {
       area: 12,
       gaussian: -4 * Math.PI,
       quadrature_error: 1e-5,
-      whole: true,
+      resolved: true,
     },
     levels: [],
     limit: { status: 'converging', energy: 112.76693, order: 2, error: 0.0076 },
