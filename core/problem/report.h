@@ -125,7 +125,7 @@ enum class LimitStatus {
   kTooFewLevels,   ///< fewer than three evaluable levels
   kNotMinimized,   ///< one of the last three levels did not converge
   kNotConverging,  ///< the last three levels are in no asymptotic range: the least energy is an upper bound
-  kNotResolved,       ///< the last level's energy is not the surface's: curvature hides between its samples
+  kNotResolved,    ///< the last level's energy is not the surface's: curvature hides between its samples
 };
 
 /// "converging", "too_few_levels", "not_minimized", "not_converging", "not_resolved".

@@ -16,8 +16,8 @@ enum class StopReason {
   kDegenerate,         ///< the objective reports that its last point is degenerate
   kCancelled,
   // Not the optimizer's own, but what is found of the point where it ended:
-  kBelowBound,  ///< the energy is below what any closed surface has: it is not the surface's
-  kNotResolved,    ///< curvature hides between the samples: the energy is not the surface's
+  kBelowBound,   ///< the energy is below what any closed surface has: it is not the surface's
+  kNotResolved,  ///< curvature hides between the samples: the energy is not the surface's
 };
 
 /// "converged", "max_iterations", "line_search_stalled", "round_off", "not_finite", "degenerate", "cancelled",

@@ -76,7 +76,13 @@ describe('evaluate', () => {
       'patches',
       'energies',
     ]);
-    expect(Object.keys(report.energies)).toEqual([...energyNames, 'quadrature_error', 'resolved', 'below_bound', 'embedded']);
+    expect(Object.keys(report.energies)).toEqual([
+      ...energyNames,
+      'quadrature_error',
+      'resolved',
+      'below_bound',
+      'embedded',
+    ]);
     expect(report).toMatchObject({ umbilic: 'evaluation', version: 1, cap: 'flat', level: 1, patches: 96 });
     expect(report.energies.gaussian).toBeCloseTo(-4 * Math.PI, 1);
     expect(report.energies.quadrature_error).toBeGreaterThanOrEqual(0);
