@@ -318,7 +318,7 @@ describe('a run', () => {
       answered({ type: 'ended', run: 1, stop: 'below_bound', progress: progress(0, 5) }),
       measured,
     );
-    expect(statusSentence(state)).toBe('Below any surface’s energy after 5 evaluations.');
+    expect(statusSentence(state)).toBe('Below the bound after 5 evaluations.');
     expect(energyNotes(state).map(({ warning }) => warning)).toEqual([true, true]);
   });
 
