@@ -70,3 +70,14 @@ test.each(/** @type {const} */ (['light', 'dark']))(
   },
   90_000,
 );
+
+test('a surface that its Willmore energy proves to be embedded is said to be so, and no other', async () => {
+  const { page } = await openPage(served.browser, served.url);
+  const said = page.locator('#energies small');
+  expect(await said.count()).toBe(0); // two-3 before it is minimized: 4.5 × 4π
+  await page.locator('[name=shape]').selectOption('cube'); // nearly a sphere's 4π
+  await said.waitFor();
+  expect(await said.innerText()).toBe('embedded, as below 8π');
+  expect(await page.locator('#energies tr').filter({ has: said }).innerText()).toMatch(/^Willmore energy/);
+  await page.context().close();
+});

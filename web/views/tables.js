@@ -39,13 +39,13 @@ function cell(value, error) {
  * @param {Node[]} now
  * @param {Node[]} start
  * @param {boolean} objective
- * @param {string} [note] below the name
+ * @param {Node[]} [note] below the name
  */
-function energyRow(name, formula, now, start, objective, note) {
+function energyRow(name, formula, now, start, objective, note = []) {
   return element(
     'tr',
     objective ? { class: 'objective' } : {},
-    element('th', { scope: 'row', title: formula }, name, ...(note ? [element('small', {}, note)] : [])),
+    element('th', { scope: 'row', title: formula }, name, ...note),
     element('td', { class: 'muted' }, ...start),
     element('td', {}, ...now),
   );
@@ -62,7 +62,8 @@ function energyRows(settings, now, start) {
   const rows = functionals.map(({ id, name, formula }) => {
     const objective = settings.functional === id;
     const error = objective ? now.quadrature_error : null;
-    const note = id === 'willmore' && now.embedded ? embeddedWords : '';
+    const embedded = id === 'willmore' && now.embedded;
+    const note = embedded ? [element('small', { title: embeddedWords.reason }, embeddedWords.name)] : [];
     return energyRow(name, formula, cell(now[id], error), start ? cell(start[id], null) : [], objective, note);
   });
   if (blend) {

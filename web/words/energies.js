@@ -7,8 +7,11 @@ import { compact } from './numbers.js';
 
 /** @import {Energies} from '../../wasm/types.js' */
 
-/** A connected surface with `embedded` in its energies. */
-export const embeddedWords = 'embedded, as below 8π (Li & Yau 1982)';
+/** What `embedded` in the energies of a surface says, and why. */
+export const embeddedWords = {
+  name: 'embedded, as below 8π',
+  reason: 'With a Willmore energy below 8π no surface touches or crosses itself (Li & Yau 1982).',
+};
 
 /** Relative changes up to this are below the digits that are shown. */
 const HARMLESS = 1e-12;
