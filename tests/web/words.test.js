@@ -16,7 +16,17 @@ import {
   schoenflies,
   thickenedWords,
 } from '../../web/words/results.js';
-import { compact, counted, duration, integer, significant, tickText, withError } from '../../web/words/numbers.js';
+import {
+  compact,
+  counted,
+  duration,
+  integer,
+  lowerBound,
+  significant,
+  tickText,
+  upperBound,
+  withError,
+} from '../../web/words/numbers.js';
 
 import { certificate, energies, levelReport, noLimit } from './state.js';
 
@@ -79,6 +89,14 @@ describe('a number', () => {
     [3936.04, 123, '3940', '120'],
   ])('%p ± %p with two digits of its error', (value, error, text, bar) => {
     expect(withError(value, error, 2)).toEqual({ value: text, error: bar });
+  });
+
+  test('that is a bound remains one when it is rounded', () => {
+    const energy = 8 * Math.PI ** 2; // 78.956835…
+    expect(upperBound(energy, 7)).toBe('78.95684');
+    expect(lowerBound(energy, 7)).toBe('78.95683');
+    expect([upperBound(8 * Math.PI), lowerBound(8 * Math.PI)]).toEqual(['25.14', '25.13']);
+    expect([upperBound(0.25, 2), lowerBound(0.25, 2), lowerBound(0)]).toEqual(['0.25', '0.25', '0']);
   });
 
   test('without an error has no error bar', () => {

@@ -99,10 +99,20 @@ export function withError(value, error, digitsOfError) {
  * @param {number} [digits]
  */
 export function upperBound(value, digits = 4) {
-  if (!(value > 0) || !Number.isFinite(value)) return significant(value, digits);
+  return significant(roundedTo(value, digits, 1), digits);
+}
+
+/** A lower bound, rounded downwards. @param {number} value >= 0 @param {number} [digits] */
+export function lowerBound(value, digits = 4) {
+  return significant(roundedTo(value, digits, -1), digits);
+}
+
+/** @param {number} value >= 0 @param {number} digits significant ones @param {1 | -1} direction upwards or downwards */
+function roundedTo(value, digits, direction) {
+  if (!(value > 0) || !Number.isFinite(value)) return value;
   const rounded = Number(value.toPrecision(digits));
   const unit = 10 ** (Math.floor(Math.log10(value)) + 1 - digits);
-  return significant(rounded < value ? rounded + unit : rounded, digits);
+  return (rounded - value) * direction < 0 ? rounded + direction * unit : rounded;
 }
 
 /** An integer: 12 288. @param {number} value */

@@ -2,7 +2,7 @@
 /**
  * @file A cage's repairs, and a run's levels, limit, symmetry and certificate in words.
  */
-import { compact, counted, significant, withError } from './numbers.js';
+import { counted, lowerBound, significant, withError } from './numbers.js';
 
 /** @import {CageReport, CertificateReport, Group, LevelReport, Limit, StopReason} from '../../wasm/types.js' */
 
@@ -26,7 +26,7 @@ export function limitWords({ status, energy, order, error, lower }, levels) {
   switch (status) {
     case 'converging': {
       const words = Number.isFinite(order) ? `observed order ${order.toFixed(1)}` : 'the last levels agree';
-      const cut = lower > energy - error ? `, but not below ${compact(lower, BOUND_DIGITS)}, as no surface is` : '';
+      const cut = lower > energy - error ? `, but not below ${lowerBound(lower, BOUND_DIGITS)}, as no surface is` : '';
       return { ...withError(energy, error, ERROR_DIGITS), words: words + cut };
     }
     case 'too_few_levels': {
