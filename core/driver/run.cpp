@@ -21,8 +21,6 @@
 
 namespace umbilic {
 
-namespace {
-
 /// A level that has ended, with what ranks it among the others.
 struct EndedLevel {
   std::unique_ptr<Level> level;
@@ -38,8 +36,6 @@ struct EndedLevel {
     return {energies.resolved ? 0 : 1, !report.evaluable, energy};
   }
 };
-
-}  // namespace
 
 struct Run::State {
   RunOptions options;
