@@ -96,7 +96,13 @@ describe('the limit', () => {
 
   test('is not told by two levels', () => {
     const { limit, levels } = minimized('torus', { levels: [0, 1] });
-    expect(limit).toEqual({ status: 'too_few_levels', energy: levels[1].energy_reported, order: NaN, error: NaN });
+    expect(limit).toEqual({
+      status: 'too_few_levels',
+      energy: levels[1].energy_reported,
+      order: NaN,
+      error: NaN,
+      lower: NaN,
+    });
   });
 
   test('is not told by levels that were not minimized', () => {

@@ -54,6 +54,8 @@ export function energies(bending) {
     gaussian: -4 * Math.PI,
     quadrature_error: 0.01,
     resolved: true,
+    below_bound: false,
+    embedded: false,
   };
 }
 
@@ -77,13 +79,15 @@ export function levelReport(level, more = {}) {
     metrics: 1,
     evaluable: true,
     quadrature: 0,
+    credible: true,
+    thickened: false,
     predicted_decrease: 1e-5,
     ...more,
   };
 }
 
 /** @returns {import('../../wasm/types.js').Limit} of too few levels */
-export const noLimit = () => ({ status: 'too_few_levels', energy: 120.1, order: NaN, error: NaN });
+export const noLimit = () => ({ status: 'too_few_levels', energy: 120.1, order: NaN, error: NaN, lower: NaN });
 
 /** @returns {import('../../wasm/types.js').CertificateReport} */
 export const certificate = () => ({ level: 2, unknowns: 1146, gauge: 7, tau: 0.001, negative: 6 });
@@ -94,7 +98,7 @@ export const surfaceState = (level, mark) => ({ level, points: Float64Array.of(m
 /** What the worker says when it has opened run `run`. @param {number} run @returns {Action[]} */
 export function openedMessages(run) {
   const counts = { vertices: 26, edges: 60, faces: 32, genus: 2 };
-  const cage = { ...counts, components: [counts] };
+  const cage = { ...counts, components: [counts], repairs: [] };
   return [
     answered({ type: 'opened', run, cage, group: { name: 'D3h', order: 12 } }),
     answered({ type: 'surfaced', run, evaluations: 0, limit: mesh(), control: mesh() }),

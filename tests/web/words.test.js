@@ -131,7 +131,13 @@ describe('the limit of the levels', () => {
   const levels = [0, 1, 2].map((level) => levelReport(level));
 
   test('is a value with its error and the observed order, if there is one', () => {
-    const limit = { status: /** @type {const} */ ('converging'), energy: 3917.4, order: 1.86, error: 36.2 };
+    const limit = {
+      status: /** @type {const} */ ('converging'),
+      energy: 3917.4,
+      order: 1.86,
+      error: 36.2,
+      lower: 3881.2,
+    };
     expect(limitWords(limit, levels)).toEqual({ value: '3917', error: '36', words: 'observed order 1.9' });
     expect(limitWords({ ...limit, order: NaN }, levels).words).toBe('the last levels agree');
   });
