@@ -78,6 +78,8 @@ export function levelReport(level, more = {}) {
     metric: 'hessian',
     metrics: 1,
     evaluable: true,
+    credible: true,
+    thickened: false,
     quadrature: 0,
     credible: true,
     thickened: false,
@@ -100,10 +102,10 @@ export function openedMessages(run) {
   const counts = { vertices: 26, edges: 60, faces: 32, genus: 2 };
   const cage = { ...counts, components: [counts], repairs: [] };
   return [
-    answered({ type: 'opened', run, cage, group: { name: 'D3h', order: 12 } }),
+    answered({ type: 'opened', run, level: 0, cage, group: { name: 'D3h', order: 12 } }),
     answered({ type: 'surfaced', run, evaluations: 0, limit: mesh(), control: mesh() }),
     answered({ type: 'saved', run, evaluations: 0, state: surfaceState(0, run) }),
-    answered({ type: 'measured', run, evaluations: 0, energies: energies(150) }),
+    answered({ type: 'measured', run, evaluations: 0, level: 0, energies: energies(150) }),
   ];
 }
 
@@ -143,6 +145,6 @@ export function ended() {
     running(),
     answered({ type: 'ended', run: 1, stop: 'converged', progress: progress(2, 5) }),
     answered({ type: 'saved', run: 1, evaluations: 5, state: surfaceState(2, 9) }),
-    answered({ type: 'measured', run: 1, evaluations: 5, energies: energies(113) }),
+    answered({ type: 'measured', run: 1, evaluations: 5, level: 2, energies: energies(113) }),
   );
 }
