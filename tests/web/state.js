@@ -81,8 +81,6 @@ export function levelReport(level, more = {}) {
     credible: true,
     thickened: false,
     quadrature: 0,
-    credible: true,
-    thickened: false,
     predicted_decrease: 1e-5,
     ...more,
   };
