@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What a run, an evaluation or a gradient check has to say, as plain values. Their text form is in text.h.
+/// What a run, an evaluation or a gradient check has to say, as plain values. Their text form is in text.h. The words
+/// in each `members` say what a member is, here and in the schema.
 #pragma once
 
 #include <array>
@@ -64,23 +65,24 @@ struct EnergyReport {
   }
 };
 
+/// One level of a run, when it has ended.
 struct LevelReport {
-  int level = 0;               ///< Catmull-Clark steps from the cage to the mesh whose points are moved
-  int patches = 0;             ///< faces of the mesh that the surface is evaluated on
-  int unknowns = 0;            ///< coordinates that the optimizer moves
-  double energy = 0;           ///< by the minimizing rule
-  double energy_reported = 0;  ///< by the reporting rule
+  int level = 0;
+  int patches = 0;
+  int unknowns = 0;
+  double energy = 0;
+  double energy_reported = 0;
   int iterations = 0;
   int evaluations = 0;
   double seconds = 0;
   StopReason stop = StopReason::kConverged;
-  MetricChoice metric = MetricChoice::kIdentity;  ///< the one that was used, never kAutomatic
-  int metrics = 0;                                ///< how often the metric was built
-  int quadrature = 0;      ///< steps by which its rules became finer than usual, see driver/rules.h
-  bool credible = true;    ///< whether its energies can be a surface's, see EnergyReport
-  bool thickened = false;  ///< whether its start was made thicker, see driver/thickness.h
-  bool evaluable = true;  ///< whether the moved mesh is the evaluated one; coarser ones only prepare the first of these
-  double predicted_decrease = std::numeric_limits<double>::quiet_NaN();  ///< NaN before the first iteration
+  MetricChoice metric = MetricChoice::kIdentity;
+  int metrics = 0;
+  int quadrature = 0;
+  bool credible = true;
+  bool thickened = false;
+  bool evaluable = true;
+  double predicted_decrease = std::numeric_limits<double>::quiet_NaN();
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
@@ -93,22 +95,24 @@ struct LevelReport {
     visit("evaluations", self.evaluations, "Evaluations of energy and gradient");
     visit("seconds", self.seconds, "Time that the level took");
     visit("stop", self.stop, "Why the level ended");
-    visit("metric", self.metric, "What the optimizer measured steps with");
+    visit("metric", self.metric, "What the optimizer measured steps with; never auto");
     visit("metrics", self.metrics, "How often the metric was built");
-    visit("quadrature", self.quadrature, "Steps by which its quadrature rules became finer than usual");
-    visit("evaluable", self.evaluable, "Whether the moved mesh is the evaluated one; coarser ones only prepare it");
+    visit("quadrature", self.quadrature,
+          "Steps by which its quadrature rules became finer than usual (core/driver/rules.h)");
+    visit("evaluable", self.evaluable,
+          "Whether the moved mesh is the evaluated one; coarser ones only prepare the first of these");
     visit("credible", self.credible, "Whether its energies can be those of a surface");
     visit("thickened", self.thickened,
-          "Whether its start was made thicker, because its curvature hid between the samples");
-    visit("predicted_decrease", self.predicted_decrease, "What the level could still gain when it ended, as predicted");
+          "Whether its start was made thicker, because its samples missed curvature (core/driver/thickness.h)");
+    visit("predicted_decrease", self.predicted_decrease,
+          "What the level could still gain when it ended, as predicted; null before the first iteration");
   }
 };
 
 /// The symmetry that a run keeps.
 struct GroupReport {
-  std::string name;  ///< Schoenflies symbol
+  std::string name;
   int order = 1;
-  /// Why there may be more symmetry than this; empty where the search was complete.
   std::optional<std::string> incomplete{};
 
   template <class Visit, class Self>
@@ -144,9 +148,9 @@ constexpr std::string_view name_of(LimitStatus status) {
 struct LimitReport {
   LimitStatus status = LimitStatus::kTooFewLevels;
   double energy = 0;
-  double order = 0;  ///< observed, NaN where it cannot be told
-  double error = 0;  ///< the true limit is within energy +- error,
-  double lower = 0;  ///< and not below this: energy - error, or the functional's lower bound
+  double order = 0;
+  double error = 0;
+  double lower = 0;
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
@@ -154,21 +158,23 @@ struct LimitReport {
     visit("energy", self.energy, "The limit, or the least level's energy");
     visit("order", self.order, "Observed order of convergence, null where it cannot be told");
     visit("error", self.error, "The limit is within energy +- error; null where there is none");
-    visit("lower", self.lower, "The limit is not below this; null where there is none");
+    visit("lower", self.lower,
+          "The limit is not below this: energy - error, or the least that a closed surface has; null where there is "
+          "none");
   }
 };
 
 /// Whether the surface of a level is a minimum among all surfaces near it, symmetric or not. See driver/certificate.h.
 struct CertificateReport {
   int level = 0;
-  int unknowns = 0;  ///< of the full, unreduced Hessian
-  int gauge = 0;     ///< directions removed: those along which the energy cannot change
-  double tau = 0;    ///< eigenvalues of the Hessian relative to the Sobolev product below -tau count as negative
-  int negative = 0;  ///< directions along which the energy decreases to second order
+  int unknowns = 0;
+  int gauge = 0;
+  double tau = 0;
+  int negative = 0;
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
-    visit("level", self.level, "Of the surface");
+    visit("level", self.level, "Level of the surface");
     visit("unknowns", self.unknowns, "Of the full Hessian, whatever symmetry the surface has");
     visit("gauge", self.gauge, "Directions along which the energy cannot change, removed");
     visit("tau", self.tau, "Eigenvalues below -tau, relative to the Sobolev product, count as negative");
@@ -193,9 +199,9 @@ struct GradientReport {
   int level = 0;
   int unknowns = 0;
   int directions = 0;
-  double analytic = 0;           ///< directional derivative of the direction with the largest mismatch
-  double difference = 0;         ///< the same by central differences
-  double relative_mismatch = 0;  ///< the largest
+  double analytic = 0;
+  double difference = 0;
+  double relative_mismatch = 0;
   double tolerance = 0;
   bool ok = false;
 
@@ -215,29 +221,29 @@ struct GradientReport {
 /// What came out of a run.
 struct Report {
   static constexpr Unknown kUnknown = Unknown::kIgnored;
-  std::string program;          ///< its version
-  std::string instruction_set;  ///< that the kernels used, see base/instruction_set.h
-  Problem problem;              ///< with its cage as text, where it came from a file
+  std::string program;
+  std::string instruction_set;
+  Problem problem;
   CageReport cage;
   GroupReport group;
-  std::vector<LevelReport> levels;  ///< those that have ended, in order
+  std::vector<LevelReport> levels;
   LimitReport limit;
-  EnergyReport energies;  ///< of the best surface
+  EnergyReport energies;
   std::optional<CertificateReport> certificate;
-  std::optional<SurfaceState> surface;  ///< the best surface: where the problem goes on
+  std::optional<SurfaceState> surface;
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("program", self.program, "Version of the program that ran");
-    visit("instruction_set", self.instruction_set, "That the kernels used");
-    visit.required("problem", self.problem, "What was asked");
+    visit("instruction_set", self.instruction_set, "That the kernels used (core/base/instruction_set.h)");
+    visit.required("problem", self.problem, "What was asked, with its cage as text where that came from a file");
     visit("cage", self.cage, "Counts over the cage");
     visit("group", self.group, "The symmetry that the run keeps");
-    visit("levels", self.levels, "Those that have ended");
+    visit("levels", self.levels, "Those that have ended, in order");
     visit("limit", self.limit, "What the levels say about the limit of their energies");
     visit("energies", self.energies, "Of the best surface, by the reporting rule");
     visit("certificate", self.certificate, "Whether the surface is a minimum among all surfaces near it");
-    visit("surface", self.surface, "The best surface");
+    visit("surface", self.surface, "The best surface, where the problem goes on");
   }
 };
 
