@@ -56,7 +56,7 @@ describe('a cage far from the origin', () => {
     expect(resolved).toBe(true);
     const again = jsonOf(['evaluate', 'out.obj', '--json'], scratch);
     for (const [name, energy] of Object.entries(energies)) {
-      if (name === 'quadrature_error') continue;
+      if (name === 'quadrature_error' || typeof energy === 'boolean') continue;
       expect(Math.abs(again.energies[name] / Number(energy) - 1)).toBeLessThan(1e-12);
     }
     expect(input_rounding.mvs_cross).toBeGreaterThan(input_rounding.bending);

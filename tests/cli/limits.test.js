@@ -181,7 +181,7 @@ describe('embeddedness', () => {
   test('is told where the Willmore energy proves it', () => {
     const line = 'optimize torus.obj --functional bending --levels 0 -q';
     expect(outputOf(line.split(' '), scratch)).toContain('\nembedded: with a Willmore energy below 8 pi no surface');
-    expect(jsonOf(`${line} --report -`.split(' '), scratch).embedded).toBe(true);
+    expect(jsonOf(`${line} --report -`.split(' '), scratch).energies.embedded).toBe(true);
     expect(outputOf(['evaluate', 'large.obj'], scratch)).not.toContain('embedded');
   });
 });

@@ -78,6 +78,8 @@ describe('a run', () => {
       metrics: expect.any(Number),
       quadrature: 0,
       evaluable: true,
+      credible: true,
+      thickened: false,
       predicted_decrease: expect.any(Number),
     };
     expect(report.levels).toEqual([level, level]);

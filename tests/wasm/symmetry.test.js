@@ -96,7 +96,8 @@ describe('the limit', () => {
 
   test('is not told by two levels', () => {
     const { limit, levels } = minimized('torus', { levels: [0, 1] });
-    expect(limit).toEqual({ status: 'too_few_levels', energy: levels[1].energy_reported, order: NaN, error: NaN });
+    const energy = levels[1].energy_reported;
+    expect(limit).toEqual({ status: 'too_few_levels', energy, order: NaN, error: NaN, lower: NaN });
   });
 
   test('is not told by levels that were not minimized', () => {

@@ -66,7 +66,7 @@ describe('a cage', () => {
     for (const text of [cube, new TextEncoder().encode(cube), `\uFEFF${cube.replaceAll('\n', '\r\n')}`]) {
       const cage = Cage.read(text);
       const counts = { vertices: 8, edges: 12, faces: 6, genus: 0 };
-      expect(cage.counts).toEqual({ ...counts, components: [counts] });
+      expect(cage.counts).toEqual({ ...counts, components: [counts], repairs: [] });
       cage.dispose();
     }
   });

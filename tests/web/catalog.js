@@ -51,6 +51,8 @@ export function entry(shape, functional, more = {}) {
       metrics: 3,
       quadrature: 0,
       evaluable: true,
+      credible: true,
+      thickened: false,
       predicted_decrease: 1e-5,
     })),
     limit: { status: 'converging', energy: 112.767, order: 5.7, error: 0.0076 },

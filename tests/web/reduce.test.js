@@ -4,7 +4,7 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { initialState, reduce } from '../../web/state/reduce.js';
-import { objectiveValue, runButtons, statusSentence } from '../../web/state/select.js';
+import { energyNotes, objectiveValue, runButtons, statusSentence } from '../../web/state/select.js';
 import { changeSettings, defaultSettings, problemOf, problemWith, settingsFrom } from '../../web/state/settings.js';
 import {
   after,
@@ -20,6 +20,8 @@ import {
   stepped,
   surfaceState,
 } from './state.js';
+
+/** @typedef {import('../../web/state/types.js').State} State */
 
 const text = new TextEncoder().encode('v 0 0 0');
 
@@ -268,7 +270,7 @@ describe('a run', () => {
     const state = after(
       running(),
       answered({ type: 'levelEnded', run: 1, report, limit: noLimit() }),
-      answered({ type: 'measured', run: 1, evaluations: 5, energies: energies(113) }),
+      answered({ type: 'measured', run: 1, evaluations: 5, level: 0, energies: energies(113) }),
     );
     expect(state.samples[4]).toEqual({ evaluation: 5, energy: 146, gradientNorm: 2, level: 0 });
     expect(state.levels).toEqual([report]);
@@ -288,6 +290,36 @@ describe('a run', () => {
     expect(state).toMatchObject({ status: 'ended', stop: 'converged', saved: { state: surfaceState(2, 9) } });
     expect(statusSentence(state)).toBe('Converged after 5 evaluations.');
     expect(working(state)).toEqual(['Start', 'Step', 'Reset']);
+  });
+
+  test('whose result is an earlier level says so, once it has ended and the result is measured', () => {
+    const told = 'Of level 1, which is better than the last one.';
+    const notes = (/** @type {State} */ state) => energyNotes(state).map(({ words }) => words);
+    /** @param {number} evaluations @param {number} level */
+    const measured = (evaluations, level) =>
+      answered({ type: 'measured', run: 1, evaluations, level, energies: energies(113) });
+    const levels = [0, 1, 2].map((level) =>
+      answered({ type: 'levelEnded', run: 1, report: levelReport(level), limit: noLimit() }),
+    );
+    const before = after(running(), ...levels, measured(4, 1));
+    expect(notes(before)).toEqual(['As of evaluation 4.']);
+    const over = after(before, answered({ type: 'ended', run: 1, stop: 'converged', progress: progress(1, 5) }));
+    expect(notes(over)).not.toContain(told);
+    expect(notes(after(over, measured(5, 1)))).toEqual([told]);
+    expect(notes(after(over, measured(5, 2)))).toEqual([]);
+  });
+
+  test('that ends with energies that no surface has is warned of, but not while it goes on', () => {
+    const folded = { ...energies(1e-20), below_bound: true, resolved: false };
+    const measured = answered({ type: 'measured', run: 1, evaluations: 5, level: 0, energies: folded });
+    expect(energyNotes(after(running(), measured))).toEqual([]);
+    const state = after(
+      running(),
+      answered({ type: 'ended', run: 1, stop: 'below_bound', progress: progress(0, 5) }),
+      measured,
+    );
+    expect(statusSentence(state)).toBe('Below the bound after 5 evaluations.');
+    expect(energyNotes(state).map(({ warning }) => warning)).toEqual([true, true]);
   });
 
   test('starts again from the cage', () => {

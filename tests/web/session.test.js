@@ -60,12 +60,12 @@ describe('opening', () => {
     while (!minimizer.step(10));
     session.obey({ type: 'open', run: 1, problem: minimizer.report() });
     work();
-    const [opened, , saved] = session.messages;
+    const [opened, , saved, measured] = session.messages;
     const { asked } = opened;
     expect(asked).toMatchObject({ cage: { generator: 'cube' }, terms: { bending: 1 }, options: { levels: [0, 2] } });
     expect(asked).not.toHaveProperty('start');
     expect(opened.report.levels).toEqual(minimizer.levels);
-    expect(saved.state.level).toBe(2);
+    expect([opened.level, saved.state.level, measured.level]).toEqual([2, 2, 2]);
     expect(saved.state.points).toHaveLength(minimizer.state.points.length);
     const text = JSON.stringify({ umbilic: 'problem', version: 1, ...problemOf() });
     session.obey({ type: 'open', run: 2, problem: text });

@@ -54,6 +54,8 @@ export function energies(bending) {
     gaussian: -4 * Math.PI,
     quadrature_error: 0.01,
     resolved: true,
+    below_bound: false,
+    embedded: false,
   };
 }
 
@@ -76,14 +78,18 @@ export function levelReport(level, more = {}) {
     metric: 'hessian',
     metrics: 1,
     evaluable: true,
+    credible: true,
+    thickened: false,
     quadrature: 0,
+    credible: true,
+    thickened: false,
     predicted_decrease: 1e-5,
     ...more,
   };
 }
 
 /** @returns {import('../../wasm/types.js').Limit} of too few levels */
-export const noLimit = () => ({ status: 'too_few_levels', energy: 120.1, order: NaN, error: NaN });
+export const noLimit = () => ({ status: 'too_few_levels', energy: 120.1, order: NaN, error: NaN, lower: NaN });
 
 /** @returns {import('../../wasm/types.js').CertificateReport} */
 export const certificate = () => ({ level: 2, unknowns: 1146, gauge: 7, tau: 0.001, negative: 6 });
@@ -94,12 +100,12 @@ export const surfaceState = (level, mark) => ({ level, points: Float64Array.of(m
 /** What the worker says when it has opened run `run`. @param {number} run @returns {Action[]} */
 export function openedMessages(run) {
   const counts = { vertices: 26, edges: 60, faces: 32, genus: 2 };
-  const cage = { ...counts, components: [counts] };
+  const cage = { ...counts, components: [counts], repairs: [] };
   return [
-    answered({ type: 'opened', run, cage, group: { name: 'D3h', order: 12 } }),
+    answered({ type: 'opened', run, level: 0, cage, group: { name: 'D3h', order: 12 } }),
     answered({ type: 'surfaced', run, evaluations: 0, limit: mesh(), control: mesh() }),
     answered({ type: 'saved', run, evaluations: 0, state: surfaceState(0, run) }),
-    answered({ type: 'measured', run, evaluations: 0, energies: energies(150) }),
+    answered({ type: 'measured', run, evaluations: 0, level: 0, energies: energies(150) }),
   ];
 }
 
@@ -139,6 +145,6 @@ export function ended() {
     running(),
     answered({ type: 'ended', run: 1, stop: 'converged', progress: progress(2, 5) }),
     answered({ type: 'saved', run: 1, evaluations: 5, state: surfaceState(2, 9) }),
-    answered({ type: 'measured', run: 1, evaluations: 5, energies: energies(113) }),
+    answered({ type: 'measured', run: 1, evaluations: 5, level: 2, energies: energies(113) }),
   );
 }

@@ -4,6 +4,7 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { cageWords, stemOf } from '../../web/words/cages.js';
+import { energyWarnings, roundingWords } from '../../web/words/energies.js';
 import { caps, functionals, functionalWords } from '../../web/words/functionals.js';
 import {
   certificateDetails,
@@ -11,11 +12,13 @@ import {
   groupWords,
   limitWords,
   metricWords,
+  repairWords,
   schoenflies,
+  thickenedWords,
 } from '../../web/words/results.js';
 import { compact, counted, duration, integer, significant, tickText, withError } from '../../web/words/numbers.js';
 
-import { certificate, levelReport, noLimit } from './state.js';
+import { certificate, energies, levelReport, noLimit } from './state.js';
 
 /** The narrow space between groups of digits does not break. @param {string} text */
 const narrow = (text) => text.replaceAll(' ', '\u202f');
@@ -131,9 +134,34 @@ describe('the limit of the levels', () => {
   const levels = [0, 1, 2].map((level) => levelReport(level));
 
   test('is a value with its error and the observed order, if there is one', () => {
-    const limit = { status: /** @type {const} */ ('converging'), energy: 3917.4, order: 1.86, error: 36.2 };
+    const limit = {
+      status: /** @type {const} */ ('converging'),
+      energy: 3917.4,
+      order: 1.86,
+      error: 36.2,
+      lower: 3917.4 - 36.2,
+    };
     expect(limitWords(limit, levels)).toEqual({ value: '3917', error: '36', words: 'observed order 1.9' });
     expect(limitWords({ ...limit, order: NaN }, levels).words).toBe('the last levels agree');
+  });
+
+  test('has a bar that ends where no surface is', () => {
+    const limit = {
+      status: /** @type {const} */ ('converging'),
+      energy: 25.2,
+      order: 2,
+      error: 0.5,
+      lower: 8 * Math.PI,
+    };
+    expect(limitWords(limit, levels)).toEqual({
+      value: '25.20',
+      error: '0.50',
+      words: 'observed order 2.0, but not below 25.13274, as no surface is',
+    });
+    const { lower, ...earlier } = limit;
+    expect(lower).toBeGreaterThan(limit.energy - limit.error);
+    // The limit of a report that an earlier version wrote.
+    expect(limitWords(/** @type {typeof limit} */ (earlier), levels).words).toBe('observed order 2.0');
   });
 
   test('of too few levels says how many more it takes; those that only prepare do not count', () => {
@@ -154,7 +182,7 @@ describe('the limit of the levels', () => {
     });
     const folded = { ...noLimit(), status: /** @type {const} */ ('not_resolved'), energy: 1e-22 };
     expect(limitWords(folded, levels).value).toBe('');
-    expect(limitWords(folded, levels).words).toContain('∫ K dA is not 2πχ');
+    expect(limitWords(folded, levels).words).toBe('no error bar: the last level’s energy is not the surface’s');
   });
 });
 
@@ -174,6 +202,17 @@ describe('a symmetry', () => {
     expect(groupWords({ name: 'C1', order: 1 }, true).words).toBe('the cage has none');
     expect(groupWords(group, false)).toEqual({ symbol: '', words: '' });
     expect(groupWords(null, true)).toEqual({ symbol: '', words: '' });
+  });
+
+  test('may be more than was found where the search was given up', () => {
+    const incomplete = 'the search was given up';
+    expect(groupWords({ name: 'D3h', order: 12, incomplete }, true).words).toBe(
+      ', order 12 or more: the search was given up',
+    );
+    expect(groupWords({ name: 'C1', order: 1, incomplete }, true)).toEqual({
+      symbol: '',
+      words: 'none known: the search was given up',
+    });
   });
 });
 
@@ -199,6 +238,42 @@ describe('a certificate', () => {
 
   test('tells its unknowns and its threshold', () => {
     expect(certificateDetails(certificate())).toBe('1146 unknowns, τ\u00a0=\u00a00.001');
+  });
+});
+
+describe('what is said where it applies', () => {
+  test('names each repair of a cage', () => {
+    const counts = { vertices: 4, edges: 6, faces: 4, genus: 0 };
+    const report = { ...counts, components: [counts], repairs: ['turned 4 faces', 'dropped 1 vertex'] };
+    expect(repairWords(report)).toEqual(['Repaired: turned 4 faces.', 'Repaired: dropped 1 vertex.']);
+    expect(repairWords({ ...report, repairs: [] })).toEqual([]);
+  });
+
+  test('names the levels that began thicker', () => {
+    const levels = [levelReport(0, { thickened: true }), levelReport(1)];
+    expect(thickenedWords(levels)).toEqual([
+      'Level 0 began thicker than it was: its samples missed curvature of its rims.',
+    ]);
+  });
+
+  test('warns of energies that no closed surface has', () => {
+    expect(energyWarnings(energies(113))).toEqual([]);
+    const [bound] = energyWarnings({ resolved: true, below_bound: true });
+    expect(bound).toMatch(/^No closed surface .* not the surface’s\.$/);
+    const [gauss] = energyWarnings({ resolved: false, below_bound: false });
+    expect(gauss).toMatch(/^∫ K dA is not 2πχ: .* not the surface’s\.$/);
+  });
+
+  test('says what the rounding of a cage far away changes, unless it is less than the digits that are shown', () => {
+    /** @param {number} second @param {number} third */
+    const changes = (second, third) => ({
+      ...{ bending: second, willmore: second / 2 },
+      ...{ mvs: NaN, mvs_cross: third, mehlum_tarrou: third / 3, second_form_variation: third / 2 },
+    });
+    expect(roundingWords(undefined)).toBe('');
+    expect(roundingWords(changes(1e-14, 9e-13))).toBe('');
+    expect(roundingWords(changes(2.5e-8, 0.0012))).toContain(narrow('2.5 × 10⁻⁸'));
+    expect(roundingWords(changes(2.5e-8, 0.0012))).toMatch(/third-order ones by up to 0\.0012\.$/);
   });
 });
 

@@ -3,7 +3,7 @@
  * @file Types and loading of the catalog's files, in the schema in which `npm run catalog` writes them.
  */
 
-/** @import {CertificateReport, FunctionalName, GeneratedCage, Group, LevelReport, LimitStatus, Options, Report} from '../../wasm/types.js' */
+/** @import {CertificateReport, Energies, FunctionalName, GeneratedCage, Group, LevelReport, LimitStatus, Options, Report} from '../../wasm/types.js' */
 
 /**
  * How the energy of an entry is known. `converged`: extrapolated, with an error bar. `upper_bound`: the energy of an
@@ -18,9 +18,14 @@
  * @typedef {{name: string, genus: number, junctions: number, arms: number, cage: GeneratedCage}} CatalogShape
  */
 
-/** A quantity is null if it diverges. @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number | null> & {resolved: boolean}} EntryEnergies */
+/** A quantity is null if it diverges. @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number | null> & {resolved: boolean} & Partial<Pick<Energies, 'below_bound' | 'embedded'>>} EntryEnergies */
 
-/** @typedef {Omit<LevelReport, 'energy_reported' | 'seconds'> & {energy_reported: number | null, seconds: null}} EntryLevel */
+/**
+ * Levels that an earlier version computed lack the members that came later.
+ * @typedef {'credible' | 'thickened' | 'predicted_decrease'} LaterMember
+ * @typedef {Omit<LevelReport, 'energy_reported' | 'seconds' | LaterMember> & Partial<Pick<LevelReport, LaterMember>>
+ *   & {energy_reported: number | null, seconds: null}} EntryLevel
+ */
 
 /** The result for the other family of cages. `agrees` is null if one of the two energies has no error bar. @typedef {{family: string, energy: number | null, error: number | null, agrees: boolean | null, levels: EntryLevel[]}} SecondFamily */
 
@@ -39,7 +44,7 @@
  * @property {Required<Options>} settings
  * @property {EntryEnergies} energies energies of the last level's surface
  * @property {EntryLevel[]} levels
- * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null}} limit
+ * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null, lower?: number | null}} limit
  * @property {CertificateReport | null} certificate
  * @property {SecondFamily | null} second_family the result for the other family of cages
  * @property {string | null} minimizer file name of the run's report, in the catalog's folder

@@ -52,7 +52,8 @@ function afterRunMessage(state, message) {
       };
     }
     case 'measured': {
-      const latest = { energies: message.energies, evaluations: message.evaluations };
+      const { energies, evaluations, level } = message;
+      const latest = { energies, evaluations, level };
       return { ...state, latest, first: state.first ?? latest };
     }
     case 'stepped':
@@ -114,7 +115,7 @@ function afterOpened(state, opening, message) {
   }
   if (opening.entry && opening.report && source.kind === 'generated') {
     const cage = { source, name: source.name, counts: message.cage };
-    return afterEntryOpened({ ...opened, cage, alert: null }, opening.entry, opening.report);
+    return afterEntryOpened({ ...opened, cage, alert: null }, opening.entry, opening.report, message.level);
   }
   /** @type {State} */
   const fresh = {
@@ -151,7 +152,7 @@ function afterOpened(state, opening, message) {
  * @param {Opened} message
  * @returns {State}
  */
-function afterFileOpened(shown, fileName, { cage: counts, asked, report }) {
+function afterFileOpened(shown, fileName, { level, cage: counts, asked, report }) {
   if (!asked) return shown;
   const source = sourceOf(asked.cage, fileName);
   const settings = settingsFrom(shown.settings, asked);
@@ -161,7 +162,7 @@ function afterFileOpened(shown, fileName, { cage: counts, asked, report }) {
     opened.generator = { name: source.name, family: source.family, thickness: source.thickness };
   }
   if (!report) return opened;
-  return { ...endedWith(opened, report), settings: { ...settings, origin: 'surface' } };
+  return { ...endedWith(opened, report, level), settings: { ...settings, origin: 'surface' } };
 }
 
 /** The notice for a file that cannot be opened. The core's message may begin with the file's name too. @param {string} name @param {string} message */

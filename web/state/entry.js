@@ -60,11 +60,12 @@ export function openWithout(state, message) {
  * @param {State} opened
  * @param {CatalogEntry} entry
  * @param {Outcome} report
+ * @param {number} level of the surface
  * @returns {State}
  */
-export function afterEntryOpened(opened, entry, report) {
+export function afterEntryOpened(opened, entry, report, level) {
   return {
-    ...endedWith(opened, report),
+    ...endedWith(opened, report, level),
     progress: null,
     samples: [],
     first: null,
@@ -78,16 +79,17 @@ export function afterEntryOpened(opened, entry, report) {
  * Shows the end of the run that a report describes.
  * @param {State} opened
  * @param {Outcome} report
+ * @param {number} level of the surface
  * @returns {State}
  */
-export function endedWith(opened, { levels, limit, energies, certificate }) {
+export function endedWith(opened, { levels, limit, energies, certificate }, level) {
   return {
     ...opened,
     status: 'ended',
     stop: levels.at(-1)?.stop ?? null,
     levels,
     limit,
-    latest: { energies, evaluations: 0 },
+    latest: { energies, evaluations: 0, level },
     certificate: certificate ?? null,
   };
 }

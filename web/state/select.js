@@ -3,8 +3,9 @@
  * @file What the views derive from the state: which buttons work, and the status in words.
  */
 import { cageWords } from '../words/cages.js';
+import { energyWarnings, roundingWords } from '../words/energies.js';
 import { functionalWords, stopWords } from '../words/functionals.js';
-import { counted } from '../words/numbers.js';
+import { counted, integer } from '../words/numbers.js';
 import { showsEntry } from './entry.js';
 import { canBeCertified, settingsAreFree } from './reduce.js';
 import { activeWeights, problemWith } from './settings.js';
@@ -75,6 +76,39 @@ export function statusSentence(state) {
   if (showsEntry(state)) return 'From the catalog.';
   if (status === 'ended' && stop) return `${capitalized(stopWords[stop])} after ${evaluations}.`;
   return 'Ready.';
+}
+
+/**
+ * The level of a run's result, if the run has ended with a better surface than that of its last level.
+ * @param {State} state
+ * @returns {number | null}
+ */
+export function earlierLevel({ status, latest, levels, samples }) {
+  const last = levels.at(-1);
+  if (status !== 'ended' || !latest || !last) return null;
+  const current = latest.evaluations >= (samples.at(-1)?.evaluation ?? 0);
+  return current && latest.level < last.level ? latest.level : null;
+}
+
+/**
+ * What is to be said of the energies in the table. Whether they can be the surface's is said while nothing moves.
+ * @param {State} state
+ * @returns {Array<{words: string, warning?: boolean}>}
+ */
+export function energyNotes(state) {
+  const { status, latest, samples } = state;
+  if (!latest) return [{ words: 'They appear with a surface.' }];
+  if (status === 'running') {
+    const stale = (samples.at(-1)?.evaluation ?? 0) > latest.evaluations;
+    return stale ? [{ words: `As of evaluation ${integer(latest.evaluations)}.` }] : [];
+  }
+  const level = earlierLevel(state);
+  const rounding = roundingWords(latest.energies.input_rounding);
+  return [
+    ...(level === null ? [] : [{ words: `Of level ${level}, which is better than the last one.` }]),
+    ...(rounding ? [{ words: rounding }] : []),
+    ...energyWarnings(latest.energies).map((words) => ({ words, warning: true })),
+  ];
 }
 
 /** @param {string} words */

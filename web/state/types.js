@@ -55,7 +55,7 @@
  * @typedef {{evaluation: number, energy: number, gradientNorm: number, level: number}} Sample
  */
 
-/** @typedef {{energies: Energies, evaluations: number}} Measurement */
+/** Energies of a surface of this level. @typedef {{energies: Energies, evaluations: number, level: number}} Measurement */
 
 /** The surface on the screen. @typedef {{limit: Mesh, control: Mesh, evaluations: number}} Surface */
 

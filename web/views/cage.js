@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file The cage panel: the generated shapes with their family and thickness, the button to open a file, and facts
- * about the open cage.
+ * and repairs of the open cage.
  */
 import { cageWords } from '../words/cages.js';
 import { integer } from '../words/numbers.js';
-import { element, find, setText, whenChanged } from './dom.js';
+import { repairWords } from '../words/results.js';
+import { createLines, element, find, setText, whenChanged } from './dom.js';
 
 /** @import {Action, OpenCage, State} from '../state/types.js' */
 
@@ -45,6 +46,7 @@ export function createCageView(root, dispatch, takeFiles) {
   const families = /** @type {HTMLInputElement[]} */ ([...root.querySelectorAll('[name=family]')]);
   const frameOptions = find(root, '.frame-options');
   const list = find(root, '.facts');
+  const showRepairs = createLines(find(root, '.repairs'));
 
   shape.addEventListener(
     'change',
@@ -95,6 +97,7 @@ export function createCageView(root, dispatch, takeFiles) {
           element('div', term === 'File' ? { class: 'name' } : {}, element('dt', {}, term), element('dd', {}, value)),
         ),
       );
+      showRepairs((cage ? repairWords(cage.counts) : []).map((words) => ({ words })));
     },
   );
 

@@ -73,3 +73,20 @@ export function whenChanged(work) {
     work(...args);
   };
 }
+
+/**
+ * Shows short lines in an element, which stay as they are while their words do.
+ * @param {HTMLElement} root
+ * @returns {(lines: Array<{words: string, warning?: boolean}>) => void}
+ */
+export function createLines(root) {
+  let shown = '';
+  return (lines) => {
+    const text = JSON.stringify(lines);
+    if (text === shown) return;
+    shown = text;
+    root.replaceChildren(
+      ...lines.map(({ words, warning }) => element('p', { class: warning ? 'problem' : 'note' }, words)),
+    );
+  };
+}

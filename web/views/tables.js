@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The two tables: all energies of the surface by the reporting rule, and the levels that have ended.
+ * @file The two tables, each with its notes: all energies of the surface by the reporting rule, and the levels that have
+ * ended.
  */
-import { objectiveName, objectiveValue } from '../state/select.js';
+import { energyNotes, objectiveName, objectiveValue } from '../state/select.js';
+import { embeddedWords } from '../words/energies.js';
 import { functionals, stopWords } from '../words/functionals.js';
 import { counted, duration, integer, significant, withError } from '../words/numbers.js';
-import { metricWords } from '../words/results.js';
-import { element, setText, whenChanged } from './dom.js';
+import { metricWords, thickenedWords } from '../words/results.js';
+import { createLines, element, whenChanged } from './dom.js';
 
 /** @import {Energies, LevelReport} from '../../wasm/types.js' */
 /** @import {Measurement, Settings, State} from '../state/types.js' */
@@ -37,12 +39,13 @@ function cell(value, error) {
  * @param {Node[]} now
  * @param {Node[]} start
  * @param {boolean} objective
+ * @param {Node[]} [note] below the name
  */
-function energyRow(name, formula, now, start, objective) {
+function energyRow(name, formula, now, start, objective, note = []) {
   return element(
     'tr',
     objective ? { class: 'objective' } : {},
-    element('th', { scope: 'row', title: formula }, name),
+    element('th', { scope: 'row', title: formula }, name, ...note),
     element('td', { class: 'muted' }, ...start),
     element('td', {}, ...now),
   );
@@ -59,7 +62,9 @@ function energyRows(settings, now, start) {
   const rows = functionals.map(({ id, name, formula }) => {
     const objective = settings.functional === id;
     const error = objective ? now.quadrature_error : null;
-    return energyRow(name, formula, cell(now[id], error), start ? cell(start[id], null) : [], objective);
+    const embedded = id === 'willmore' && now.embedded;
+    const note = embedded ? [element('small', { title: embeddedWords.reason }, embeddedWords.name)] : [];
+    return energyRow(name, formula, cell(now[id], error), start ? cell(start[id], null) : [], objective, note);
   });
   if (blend) {
     const [value, first] = [now, start].map((energies) => (energies ? objectiveValue(settings, energies) : null));
@@ -92,33 +97,30 @@ export function createEnergiesView(root) {
   const nowHead = element('th', { scope: 'col' }, 'Now');
   const head = element('tr', {}, element('td'), startHead, nowHead);
   const table = element('table', { class: 'energies' }, element('thead', {}, head), body);
-  const note = element('p', { class: 'note' });
-  root.append(table, note);
+  const notes = element('div');
+  root.append(table, notes);
 
   const show = whenChanged(
     (
       /** @type {Measurement | null} */ latest,
       /** @type {Measurement | null} */ first,
       /** @type {Settings} */ settings,
-      /** @type {number} */ evaluations,
     ) => {
       table.hidden = !latest;
-      if (!latest) return setText(note, 'They appear with a surface.');
+      if (!latest) return;
       const moved = first !== null && first !== latest;
       head.hidden = !moved;
       table.classList.toggle('moved', moved);
       body.replaceChildren(...energyRows(settings, latest.energies, moved ? first.energies : null));
-      const stale = evaluations > latest.evaluations;
-      setText(note, stale ? `As of evaluation ${integer(latest.evaluations)}.` : '');
     },
   );
+  const showNotes = createLines(notes);
 
   return {
     /** @param {State} state */
     update(state) {
-      const evaluations = state.status === 'running' ? (state.samples.at(-1)?.evaluation ?? 0) : 0;
-      const stale = state.latest && evaluations > state.latest.evaluations;
-      show(state.latest, state.first, state.runSettings, stale ? Infinity : 0);
+      show(state.latest, state.first, state.runSettings);
+      showNotes(energyNotes(state));
     },
     dispose: () => root.replaceChildren(),
   };
@@ -145,11 +147,14 @@ export function createLevelsView(root) {
   const heads = ['Level', 'Patches', 'Energy', 'Evaluations', 'Metric', 'Ended'].map((name) =>
     element('th', { scope: 'col' }, name),
   );
-  root.append(element('table', { class: 'levels' }, element('thead', {}, element('tr', {}, ...heads)), body));
+  const notes = element('div');
+  root.append(element('table', { class: 'levels' }, element('thead', {}, element('tr', {}, ...heads)), body), notes);
+  const showNotes = createLines(notes);
 
   const show = whenChanged((/** @type {State['levels']} */ levels) => {
     const section = root.closest('section');
     if (section) section.hidden = !levels.length;
+    showNotes(thickenedWords(levels).map((words) => ({ words })));
     body.replaceChildren(
       ...levels.map((report) => {
         return element(

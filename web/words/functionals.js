@@ -102,7 +102,7 @@ export const stopWords = {
   not_finite: 'not finite',
   degenerate: 'surface collapsed',
   cancelled: 'cancelled',
-  below_bound: 'below any surface’s energy',
-  not_resolved: 'curvature hidden between samples',
+  below_bound: 'below the bound',
+  not_resolved: 'unresolved',
   interrupted: 'interrupted',
 };

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file A run's limit, symmetry and certificate in words.
+ * @file A cage's repairs, and a run's levels, limit, symmetry and certificate in words.
  */
-import { counted, significant, withError } from './numbers.js';
+import { compact, counted, significant, withError } from './numbers.js';
 
-/** @import {CertificateReport, Group, LevelReport, Limit, StopReason} from '../../wasm/types.js' */
+/** @import {CageReport, CertificateReport, Group, LevelReport, Limit, StopReason} from '../../wasm/types.js' */
 
 /** An error bar needs this many levels. */
 const ENOUGH_LEVELS = 3;
 /** Number of digits of an extrapolated energy's error. */
 const ERROR_DIGITS = 2;
+/** Number of digits of a bound that cuts an error bar. */
+const BOUND_DIGITS = 7;
 
 /** @type {Record<LevelReport['metric'], string>} */
 export const metricWords = { identity: 'Euclidean', sobolev: 'Sobolev', hessian: 'Hessian' };
@@ -20,11 +22,12 @@ export const metricWords = { identity: 'Euclidean', sobolev: 'Sobolev', hessian:
  * @param {LevelReport[]} levels
  * @returns {{value: string, error: string, words: string}} `value` and `error` are empty if there is no limit
  */
-export function limitWords({ status, energy, order, error }, levels) {
+export function limitWords({ status, energy, order, error, lower }, levels) {
   switch (status) {
     case 'converging': {
       const words = Number.isFinite(order) ? `observed order ${order.toFixed(1)}` : 'the last levels agree';
-      return { ...withError(energy, error, ERROR_DIGITS), words };
+      const cut = lower > energy - error ? `, but not below ${compact(lower, BOUND_DIGITS)}, as no surface is` : '';
+      return { ...withError(energy, error, ERROR_DIGITS), words: words + cut };
     }
     case 'too_few_levels': {
       const missing = ENOUGH_LEVELS - levels.filter(({ evaluable }) => evaluable).length;
@@ -34,7 +37,7 @@ export function limitWords({ status, energy, order, error }, levels) {
     case 'not_minimized':
       return { value: '', error: '', words: 'no error bar: a level ended before its minimum' };
     case 'not_resolved':
-      return { value: '', error: '', words: 'no error bar: curvature hides in folds or necks, ∫ K dA is not 2πχ' };
+      return { value: '', error: '', words: 'no error bar: the last level’s energy is not the surface’s' };
     case 'not_converging':
       return { value: significant(energy), error: '', words: 'upper bound, not converging' };
   }
@@ -57,9 +60,19 @@ export function schoenflies(name) {
  */
 export function groupWords(group, wanted) {
   if (!group || !wanted) return { symbol: '', words: '' };
-  if (group.order === 1) return { symbol: '', words: 'the cage has none' };
-  return { symbol: group.name, words: `, order ${group.order}` };
+  const { name, order, incomplete } = group;
+  if (order === 1) return { symbol: '', words: incomplete ? `none known: ${incomplete}` : 'the cage has none' };
+  return { symbol: name, words: `, order ${order}${incomplete ? ` or more: ${incomplete}` : ''}` };
 }
+
+/** What was changed of a cage when it was read, a sentence each. @param {CageReport} report @returns {string[]} */
+export const repairWords = ({ repairs }) => repairs.map((repair) => `Repaired: ${repair}.`);
+
+/** The levels whose start was made thicker. @param {LevelReport[]} levels @returns {string[]} */
+export const thickenedWords = (levels) =>
+  levels
+    .filter(({ thickened }) => thickened)
+    .map(({ level }) => `Level ${level} began thicker than it was: its samples missed curvature of its rims.`);
 
 /**
  * What a certificate says about the surface at the end of a run: the words before and after the symbol of its symmetry.

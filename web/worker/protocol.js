@@ -51,16 +51,16 @@
  * The worker has loaded the core.
  * @typedef {{type: 'started', version: string, cages: string[]}} Started
  *
- * `group` is the symmetry that the run keeps. For a file, `asked` is its problem, complete except for its start, and
+ * `level` is that of the surface that the run starts from, and `group` the symmetry that it keeps. For a file, `asked` is its problem, complete except for its start, and
  * `report` its results.
- * @typedef {{type: 'opened', run: number, cage: CageReport, group: Group, asked?: Problem, report?:
+ * @typedef {{type: 'opened', run: number, level: number, cage: CageReport, group: Group, asked?: Problem, report?:
  *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate'>}} Opened
  *
  * The current surface. `evaluations` counts all levels so far. `coarse`: `detail` will bring a finer one.
  * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: Mesh, control: Mesh, coarse?: boolean}} Surfaced
  *
- * Energies of the surface by the reporting rule.
- * @typedef {{type: 'measured', run: number, evaluations: number, energies: Energies}} Measured
+ * Energies of the surface by the reporting rule. Its level is not always the last one.
+ * @typedef {{type: 'measured', run: number, evaluations: number, level: number, energies: Energies}} Measured
  *
  * Samples since the last message, SAMPLE_SIZE numbers each: evaluations over all levels, energy, gradient norm,
  * level.

@@ -111,7 +111,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     measuredEvaluations = -1;
     samples = [];
     surfaceOccasion.postpone();
-    post({ type: 'opened', run, cage: opened.cage, group: opened.group, ...fileParts(command.problem, opened) });
+    const { cage, group, progress } = opened;
+    post({ type: 'opened', run, level: progress.level, cage, group, ...fileParts(command.problem, opened) });
     yieldThen(() => guard(command.run, () => introduce(command.run)));
     if (command.then) go(command.then === 'run' ? 'running' : 'stepping');
   }
@@ -160,9 +161,10 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   function sendEnergies() {
     const start = now();
     const { energies } = current();
-    if (now() - start > MEASURE_LIMIT) slowLevel = current().progress.level;
-    measuredEvaluations = current().progress.total_evaluations;
-    post({ type: 'measured', run, evaluations: measuredEvaluations, energies });
+    const { level, total_evaluations } = current().progress;
+    if (now() - start > MEASURE_LIMIT) slowLevel = level;
+    measuredEvaluations = total_evaluations;
+    post({ type: 'measured', run, evaluations: measuredEvaluations, level, energies });
   }
 
   function sendSteps() {

@@ -53,7 +53,7 @@ TEST(BestLevel, is_what_everything_is_reported_of) {
   EXPECT_EQ(run.progress().level, result.level);
   EXPECT_EQ(run.patches(), result.patches);
   EXPECT_EQ(static_cast<int>(run.control_mesh().faces.size()), result.patches);
-  EXPECT_EQ(static_cast<int>(run.limit_mesh(1).quads.size()), result.patches);
+  EXPECT_EQ(static_cast<int>(run.limit_mesh(1)->quads.size()), result.patches);
   EXPECT_EQ(run.orbit_points(), run.control_mesh().vertices) << "there is no symmetry";
   int evaluations = 0;
   for (const LevelReport& level : run.levels()) evaluations += level.evaluations;

@@ -41,7 +41,7 @@ TEST(DrawableMesh, of_a_limit_surface_has_two_triangles_for_each_quad) {
   RunOptions options;
   options.weights[kBending] = 1;
   const Result<umbilic::Run> run = umbilic::Run::create(*generate_cage("cube"), options);
-  const LimitMesh limit = run->limit_mesh(3);
+  const LimitMesh limit = *run->limit_mesh(3);
   const DrawableMesh mesh = drawable(limit);
   EXPECT_EQ(mesh.triangles.size(), 6 * limit.quads.size());
   EXPECT_EQ(mesh.normals.size(), mesh.positions.size());

@@ -3,6 +3,7 @@
 /// Runs and evaluations of cages of any size at any place have the digits that their input has.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -36,12 +36,33 @@ Report full_report() {
   report.program = "1.2.3";
   report.instruction_set = "portable";
   report.problem = blend_of_a_frame();
-  report.cage = {22, 48, 24, 2, {{22, 48, 24, 2}}};
-  report.group = {"D3h", 12};
-  report.levels = {
-      {0, 24, 22, 1.5, 1.25, 3, 4, 0.125, StopReason::kRoundOff, MetricChoice::kHessian, 2, 1, false, 0.0625}};
-  report.limit = {LimitStatus::kNotConverging, 113, kNan, kNan};
-  report.energies = {{1, 2, 3, 4, kNan, 6}, 7, -8, 1e-17, false};
+  report.cage = {22, 48, 24, 2, {{22, 48, 24, 2}}, {"1 unused vertex was dropped"}};
+  report.group = {.name = "D3h", .order = 12, .incomplete = "the search was given up"};
+  report.levels = {{.level = 0,
+                    .patches = 24,
+                    .unknowns = 22,
+                    .energy = 1.5,
+                    .energy_reported = 1.25,
+                    .iterations = 3,
+                    .evaluations = 4,
+                    .seconds = 0.125,
+                    .stop = StopReason::kRoundOff,
+                    .metric = MetricChoice::kHessian,
+                    .metrics = 2,
+                    .quadrature = 1,
+                    .credible = false,
+                    .thickened = true,
+                    .evaluable = false,
+                    .predicted_decrease = 0.0625}};
+  report.limit = {.status = LimitStatus::kNotConverging, .energy = 113, .order = kNan, .error = kNan, .lower = kNan};
+  report.energies.functionals = {1, 2, 3, 4, kNan, 6};
+  report.energies.area = 7;
+  report.energies.gaussian = -8;
+  report.energies.quadrature_error = 1e-17;
+  report.energies.input_rounding = FunctionalValues{{1e-9, 2e-9, kNan, 0, 3e-9, 4e-9}};
+  report.energies.resolved = false;
+  report.energies.below_bound = true;
+  report.energies.embedded = true;
   report.certificate = CertificateReport{1, 66, 10, 1e-3, 4};
   Points points(3, 3);
   points << 1.0 / 3, -0.1, 1e-300, 5e-324, 1.7976931348623157e308, -0.0, 2, 1e21, 123456789.125;
