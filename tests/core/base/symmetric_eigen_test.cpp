@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "linear_algebra.h"
+
 namespace umbilic::test {
 namespace {
 
@@ -27,13 +29,14 @@ Eigen::MatrixXd orthogonal(int n, unsigned seed) {
 void expect_values(const Eigen::VectorXd& rising) {
   const int n = static_cast<int>(rising.size());
   const Eigen::MatrixXd q = orthogonal(n, 1);
-  const Eigen::MatrixXd product = q * rising.asDiagonal() * q.transpose();
+  const Eigen::MatrixXd product = congruent(rising.asDiagonal(), q.transpose());
   const Eigen::MatrixXd a = (product + product.transpose()) / 2;
   const SymmetricEigen eigen = symmetric_eigen(a);
   const double rounding = 50 * n * std::numeric_limits<double>::epsilon() * rising.cwiseAbs().maxCoeff();
   EXPECT_LE((eigen.values - rising).cwiseAbs().maxCoeff(), rounding) << rising.transpose();
-  EXPECT_LE((eigen.vectors * eigen.values.asDiagonal() * eigen.vectors.transpose() - a).norm(), rounding);
-  EXPECT_LT((eigen.vectors.transpose() * eigen.vectors - Eigen::MatrixXd::Identity(n, n)).norm(), 1e-14 * n);
+  EXPECT_LE((congruent(a, eigen.vectors) - Eigen::MatrixXd(eigen.values.asDiagonal())).norm(), rounding);
+  EXPECT_LT((congruent(Eigen::MatrixXd::Identity(n, n), eigen.vectors) - Eigen::MatrixXd::Identity(n, n)).norm(),
+            1e-14 * n);
 }
 
 TEST(SymmetricEigen, finds_the_values_from_which_a_matrix_is_made_and_vectors_that_diagonalize_it) {
