@@ -11,7 +11,7 @@ namespace umbilic {
 namespace {
 
 /// Of a component about the origin: far above what arithmetic rounds, far below what anyone means.
-constexpr double kRounding = 1e-12;
+constexpr double kLeastRounding = 1e-12;
 
 /// Calls visit(component, point) for each corner.
 template <class Visit>
@@ -35,7 +35,7 @@ void place(const Cage& cage, const Orientation& orientation, std::vector<Compone
     size.coincident = low[c] == high[c];
     Points ends(2, 3);
     ends << low[c].transpose(), high[c].transpose();
-    size.rounding = std::max(kRounding, 8 * size.placement.rounding(ends).maxCoeff());
+    size.rounding = std::max(kLeastRounding, 8 * size.placement.rounding(ends).maxCoeff());
   }
 }
 

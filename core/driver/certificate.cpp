@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <optional>
 #include <random>
 
+#include "base/symmetric_eigen.h"
 #include "driver/rules.h"
 #include "driver/surface.h"
 #include "mesh/hierarchy.h"
@@ -22,9 +22,7 @@ namespace umbilic {
 namespace {
 
 int negative_eigenvalues(const Eigen::MatrixXd& symmetric) {
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
-  return static_cast<int>((values.array() < 0).count());
+  return static_cast<int>((symmetric_eigen(symmetric).values.array() < 0).count());
 }
 
 /// Share of the work that assembling takes; the rest is factoring.

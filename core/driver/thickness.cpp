@@ -3,9 +3,10 @@
 /// Principal axes by the eigenvectors of the points' covariance.
 #include "driver/thickness.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <vector>
+
+#include "base/symmetric_eigen.h"
 
 namespace umbilic {
 namespace {
@@ -16,12 +17,12 @@ constexpr double kNoThickness = 1e-7;
 
 /// The map that stretches what has this covariance.
 Eigen::Matrix3d stretch(const Eigen::Matrix3d& covariance, double ratio) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
-  const Eigen::Vector3d deviations = axes.eigenvalues().cwiseMax(0).cwiseSqrt();  // rising
+  const SymmetricEigen axes = symmetric_eigen(covariance);
+  const Eigen::Vector3d deviations = axes.values.cwiseMax(0).cwiseSqrt();  // rising
   const double largest = deviations[2];
   if (!(deviations[0] > kNoThickness * largest)) return Eigen::Matrix3d::Identity();
   const Eigen::Vector3d factors = deviations.cwiseMax(largest / ratio).cwiseQuotient(deviations);
-  return axes.eigenvectors() * factors.asDiagonal() * axes.eigenvectors().transpose();
+  return axes.vectors * factors.asDiagonal() * axes.vectors.transpose();
 }
 
 }  // namespace

@@ -3,12 +3,13 @@
 /// Chooses the base half-edge, extends maps from it, and fits isometries.
 #include "mesh/flag_matching.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+
+#include "base/symmetric_eigen.h"
 
 namespace umbilic {
 namespace {
@@ -65,7 +66,7 @@ void FlagMatching::find_components(double extent) {
     Matrix3d scatter = Matrix3d::Zero();
     for (const int h : queue_) scatter += point(mesh_.origin(h)) * point(mesh_.origin(h)).transpose();
     const double count = static_cast<double>(queue_.size());
-    const Vector3 squares = Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter / count).eigenvalues();
+    const Vector3 squares = symmetric_eigen(scatter / count).values;
     int dimension = 0;
     while (dimension < 3 && squares[2 - dimension] > kFlat * kFlat * extent * extent) ++dimension;
     const double spread = dimension > 0 ? std::sqrt(squares[3 - dimension]) : 0;

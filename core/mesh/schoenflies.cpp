@@ -5,11 +5,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "base/symmetric_eigen.h"
 
 namespace umbilic {
 namespace {
@@ -28,10 +29,7 @@ double angle_of(const Matrix3d& rotation) {
 }
 
 /// The unit vector v with m v = v. `m` is a rotation other than the identity, or minus a mirror; then v is its normal.
-Vector3d axis_of(const Matrix3d& m) {
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(m + m.transpose());
-  return solver.eigenvectors().col(2);
-}
+Vector3d axis_of(const Matrix3d& m) { return symmetric_eigen(m + m.transpose()).vectors.col(2); }
 
 bool parallel(const Vector3d& a, const Vector3d& b) { return a.cross(b).norm() < kParallel; }
 

@@ -3,8 +3,6 @@
 /// Velocities of similarities and special conformal maps at given points.
 #include "optimize/gauge.h"
 
-#include <Eigen/QR>
-
 namespace umbilic {
 
 Points scaling_direction(const Points& control) { return control.rowwise() - control.colwise().mean(); }
@@ -27,10 +25,16 @@ Eigen::MatrixXd gauge_directions(const Gauge& gauge, const Points& control) {
   return directions;
 }
 
+/// Gram and Schmidt's process, each column twice: once leaves too much of the others where the points are nearly flat.
 Eigen::MatrixXd orthonormal_gauge(const Gauge& gauge, const Points& control) {
-  const Eigen::MatrixXd directions = gauge_directions(gauge, control);
-  return Eigen::HouseholderQR<Eigen::MatrixXd>(directions).householderQ() *
-         Eigen::MatrixXd::Identity(directions.rows(), directions.cols());
+  Eigen::MatrixXd q = gauge_directions(gauge, control);
+  for (Eigen::Index i = 0; i < q.cols(); ++i) {
+    for (int pass = 0; pass < 2; ++pass) {
+      for (Eigen::Index j = 0; j < i; ++j) q.col(i) -= q.col(j).dot(q.col(i)) * q.col(j);
+    }
+    q.col(i).normalize();
+  }
+  return q;
 }
 
 }  // namespace umbilic
