@@ -46,6 +46,12 @@ std::string input_rounding_lines(const EnergyReport& energies) {
       second_order, third_order);
 }
 
+/// Seven digits of a bound >= 0, rounded downwards: one that is rounded up is none.
+std::string bound_words(double bound) {
+  const double unit = bound > 0 ? std::pow(10.0, std::floor(std::log10(bound)) - 6) : 1;
+  return fmt::format("{:.7g}", std::floor(bound / unit) * unit);
+}
+
 std::string ratio(double value, double unit, std::string_view unit_name) {
   return fmt::format("{:.6g} * {}", value / unit, unit_name);
 }
@@ -129,7 +135,7 @@ std::string limit_line(const LimitReport& limit) {
       const std::string order =
           std::isfinite(limit.order) ? fmt::format("observed order {:.1f}", limit.order) : "the last levels agree";
       const std::string cut = limit.lower > limit.energy - limit.error
-                                  ? fmt::format(", but not below {:.7g}, as no surface is", limit.lower)
+                                  ? ", but not below " + bound_words(limit.lower) + ", as no surface is"
                                   : "";
       return fmt::format("extrapolated {:.{}f} +- {:.{}f} ({}){}\n", limit.energy, places, limit.error, places, order,
                          cut);
