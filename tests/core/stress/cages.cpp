@@ -119,7 +119,7 @@ std::vector<StressCage> make() {
       {"spindle torus", wound_torus(6, 6, 1.5, 1), 1e-10},
       {"valence 24", bipyramid(24, 0.5)},
       {"star", star(5, 0.05)},
-      {"Csaszar's polyhedron", csaszar()},
+      {"Csaszar's polyhedron", csaszar(), 1e-10},
       {"long frame", scaled(frame, 1, 1, 100)},
       {"flat frame", scaled(frame, 1, 1, 0.01)},
       {"two cubes", both(cube(), moved(cube(), 2.5, 0, 0))},
