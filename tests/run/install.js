@@ -14,7 +14,7 @@ import { output, root, run } from './process.js';
  * Debian packages. Each is recognized by a program on the PATH or a header in an include folder.
  * @type {{ package: string, program?: string, header?: string, needs: Need[] }[]}
  */
-const tools = [
+export const tools = [
   { package: 'g++', program: 'g++', needs: ['native'] },
   { package: 'emscripten', program: 'em++', needs: ['wasm'] },
   { package: 'cmake', program: 'cmake', needs: ['native', 'wasm'] },
@@ -22,7 +22,7 @@ const tools = [
   { package: 'libeigen3-dev', header: 'eigen3/Eigen/Core', needs: ['native', 'wasm'] },
   { package: 'libfmt-dev', header: 'fmt/format.h', needs: ['native', 'wasm'] },
   { package: 'libfast-float-dev', header: 'fast_float/fast_float.h', needs: ['native', 'wasm'] },
-  { package: 'nlohmann-json3-dev', header: 'nlohmann/json.hpp', needs: ['native'] },
+  { package: 'nlohmann-json3-dev', header: 'nlohmann/json.hpp', needs: ['native', 'wasm'] },
   { package: 'libcli11-dev', header: 'CLI/CLI.hpp', needs: ['native'] },
   { package: 'libgtest-dev', header: 'gtest/gtest.h', needs: ['native'] },
   { package: 'clang-format', program: 'clang-format', needs: ['lint'] },
