@@ -4,11 +4,12 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { initialState, reduce } from '../../web/state/reduce.js';
-import { energyNotes, objectiveValue, runButtons, statusSentence } from '../../web/state/select.js';
+import { energyNotes, objectiveValue, statusSentence } from '../../web/state/select.js';
 import { changeSettings, defaultSettings, problemOf, problemWith, settingsFrom } from '../../web/state/settings.js';
 import {
   after,
   answered,
+  drop,
   ended,
   energies,
   levelReport,
@@ -19,20 +20,10 @@ import {
   running,
   stepped,
   surfaceState,
+  working,
 } from './state.js';
 
 /** @typedef {import('../../web/state/types.js').State} State */
-
-const text = new TextEncoder().encode('v 0 0 0');
-
-/** @param {string} name @returns {import('../../web/state/types.js').Action} */
-const drop = (name) => ({ type: 'fileChosen', name, text });
-
-/** Which of the run's buttons work. @param {import('../../web/state/types.js').State} state */
-function working(state) {
-  const { primary, ...others } = runButtons(state);
-  return [primary, ...Object.values(others)].filter(({ enabled }) => enabled).map(({ label }) => label);
-}
 
 describe('the page', () => {
   test('opens on the genus-2 frame', () => {
@@ -366,56 +357,5 @@ describe('a run', () => {
     expect(working(asked)).toEqual(['Reset']);
     const state = reduce(asked, answered({ type: 'ended', run: 1, stop: 'cancelled', progress: progress(0, 5) }));
     expect(statusSentence(state)).toBe('Cancelled after 5 evaluations.');
-  });
-});
-
-describe('a worker that is lost', () => {
-  test('leaves the last surface, which is opened again and gone on from', () => {
-    const before = running();
-    const lost = reduce(before, { type: 'workerLost', loss: 'silent', detail: '' });
-    expect(lost).toMatchObject({ status: 'ended', stop: 'interrupted', settings: { origin: 'surface' } });
-    expect(lost.surface).toBe(before.surface);
-    expect(lost.samples).toBe(before.samples);
-    expect(lost.opening).toMatchObject({ purpose: 'recovery', start: surfaceState(0, 5) });
-    expect(lost.alert?.message).toMatch(/5 evaluations is kept/);
-    const back = after(lost, ...openedMessages(2));
-    expect(back).toMatchObject({ status: 'ended', run: 2, samples: before.samples, opening: null });
-    expect(working(back)).toEqual(['Start', 'Step', 'Reset']);
-    expect(reduce(back, { type: 'startPressed' }).opening).toMatchObject({
-      start: surfaceState(0, 2),
-      then: 'run',
-    });
-  });
-
-  test('while it opened a file leaves the cage that was there', () => {
-    const lost = after(resting(), drop('huge.obj'), { type: 'workerLost', loss: 'abandoned', detail: '' });
-    expect(lost.opening).toMatchObject({ purpose: 'recovery', source: { name: 'two-3' } });
-    expect(after(lost, ...openedMessages(3))).toMatchObject({ status: 'resting', cage: { name: 'two-3' } });
-  });
-
-  test('a second time while the surface was brought back is not tried a third time', () => {
-    const loss = /** @type {const} */ ({ type: 'workerLost', loss: 'broken', detail: 'out of memory' });
-    const lost = after(running(), loss, loss);
-    expect(lost.opening).toBeNull();
-    expect(lost.status).toBe('ended');
-    expect(lost.saved?.state).toEqual(surfaceState(0, 5));
-    expect(lost.alert?.message).toMatch(/out of memory/);
-  });
-
-  test('because of settings gives back those that worked', () => {
-    const lost = after(
-      resting(),
-      { type: 'settingsChanged', change: { levels: [5, 6] } },
-      { type: 'workerLost', loss: 'silent', detail: '' },
-    );
-    expect(lost.settings.levels).toEqual([0, 2]);
-  });
-
-  test('for good leaves a page that says so', () => {
-    const lost = reduce(initialState(), { type: 'workerLost', loss: 'unloadable', detail: '' });
-    expect(lost).toMatchObject({ status: 'unavailable', opening: null });
-    expect(working(lost)).toEqual([]);
-    expect(lost.alert?.message).toMatch(/WebAssembly/);
-    expect(reduce(lost, drop('spot.obj'))).toBe(lost);
   });
 });

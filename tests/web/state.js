@@ -3,6 +3,7 @@
  * @file States and messages that the tests of the page's state begin with.
  */
 import { initialState, reduce } from '../../web/state/reduce.js';
+import { runButtons } from '../../web/state/select.js';
 
 /** @typedef {import('../../web/state/types.js').State} State */
 /** @typedef {import('../../web/state/types.js').Action} Action */
@@ -13,6 +14,15 @@ export const after = (state, ...actions) => actions.reduce(reduce, state);
 
 /** @param {Message} message @returns {Action} */
 export const answered = (message) => ({ type: 'answered', message });
+
+/** A file of no use as a cage. @param {string} name @returns {Action} */
+export const drop = (name) => ({ type: 'fileChosen', name, text: new TextEncoder().encode('v 0 0 0') });
+
+/** Which of the run's buttons work. @param {State} state */
+export function working(state) {
+  const { primary, ...others } = runButtons(state);
+  return [primary, ...Object.values(others)].filter(({ enabled }) => enabled).map(({ label }) => label);
+}
 
 /** @returns {import('../../wasm/types.js').Mesh} */
 export function mesh() {
