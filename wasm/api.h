@@ -33,8 +33,6 @@
 
 /** Length of the longest text that is read, in bytes. */
 #define UMBILIC_MAX_TEXT 268435456
-/** Largest number of quads of a limit mesh: patches times the square of the density. */
-#define UMBILIC_MAX_LIMIT_QUADS 4000000
 
 #ifdef __cplusplus
 extern "C" {
@@ -150,8 +148,8 @@ umbilic_status umbilic_run_state(umbilic_run* run, int32_t* level, const double*
 umbilic_status umbilic_run_control_mesh(const umbilic_run* run, umbilic_mesh** out);
 
 /**
- * The limit surface of the best surface so far, with `density` >= 1 quads along each edge of a patch, and at most
- * UMBILIC_MAX_LIMIT_QUADS quads in total.
+ * The limit surface of the best surface so far, with `density` >= 1 quads along each edge of a patch.
+ * UMBILIC_BAD_INPUT if it would take more than 0.5 GB (2 GB natively); the message names the largest density that fits.
  */
 umbilic_status umbilic_run_limit_mesh(const umbilic_run* run, int32_t density, umbilic_mesh** out);
 

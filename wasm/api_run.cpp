@@ -12,8 +12,6 @@
 using namespace umbilic;
 using namespace umbilic::api;
 
-static_assert(kMaxLimitQuads == UMBILIC_MAX_LIMIT_QUADS);
-
 namespace {
 
 /// Replaces the points of the problem.
@@ -137,12 +135,7 @@ umbilic_status umbilic_run_control_mesh(const umbilic_run* run, umbilic_mesh** o
 umbilic_status umbilic_run_limit_mesh(const umbilic_run* run, int32_t density, umbilic_mesh** out) {
   return guarded([&] {
     if (!all_given(run, out) || !usable(*run)) return UMBILIC_BAD_ARGUMENT;
-    const std::int64_t patches = run->run.run.patches(), side = density;
-    if (side < 1 || side * side > kMaxLimitQuads || patches * side * side > kMaxLimitQuads) {
-      return fail(UMBILIC_BAD_ARGUMENT,
-                  fmt::format("density {}: expected at least 1, and at most {} quads on {} patches", density,
-                              kMaxLimitQuads, patches));
-    }
+    if (density < 1) return fail(UMBILIC_BAD_ARGUMENT, fmt::format("density {}: expected at least 1", density));
     Result<LimitMesh> mesh = run->run.run.limit_mesh(density);
     if (!mesh) return fail(mesh.error());
     hand_out(std::move(mesh).value(), out);

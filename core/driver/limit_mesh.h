@@ -4,15 +4,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 #include "cage/placement.h"
 
 namespace umbilic {
-
-/// Largest number of quads of a limit mesh, checked before memory is allocated.
-inline constexpr std::int64_t kMaxLimitQuads = 4'000'000;
 
 /// Vertices that neighbouring patches share occur once, so the mesh is closed like the surface.
 struct LimitMesh {
