@@ -84,9 +84,8 @@ Result<Problem> parse_problem(std::string_view text) {
   }
   Result<Report> report = document.take<Report>();
   if (!report) return report.error();
-  Problem problem = std::move(report->problem);
-  if (report->surface) problem.start = std::move(report->surface);
-  return problem;
+  if (report->surface) report->problem.start = std::move(report->surface);
+  return std::move(report->problem);
 }
 
 Result<Report> parse_report(std::string_view text) {
