@@ -68,7 +68,8 @@ TEST(Groups, hold_faces_that_count_their_vertices_backwards) {
 
 TEST(Groups, keep_their_faces_where_faces_are_turned_and_vertices_dropped) {
   const CheckedCage read =
-      read_checked_cage("v 9 9 9\nv 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\ng a\nf 2 4 3\nf 2 4 5\ng b\nf 2 5 3\nf 3 5 4\n")
+      read_checked_cage(
+          "v 9 9 9\nv 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\ng a\nf 2 4 3\nf 2 4 5\ng b\nf 2 5 3\nf 3 5 4\n")
           .value();
   EXPECT_EQ(read.report.repairs.size(), 2u);
   EXPECT_EQ(groups_of(read.cage), "a: 1 2, b: 3 4");

@@ -15,7 +15,8 @@ namespace {
 std::string rich_obj() {
   return "# cube\r\nmtllib a\r\nv -1 -1 -1 0.5\r\nv 1 -1 -1\r\nv 1 1 -1\r\nv -1 1 -1\r\nv -1 -1 1\r\nv 1 -1 1\r\nv 1 1 "
          "\\\r\n1\r\nv -1e0 1 1\r\n"
-         "vt 0 0\r\no big box\r\nt crease 2/1/0 1 2 3.5\r\nf 1/1 4/1 3/1 2/1\r\ng a b a\r\nf -4//-1 -3//-1 -2//-1 -1//-1\r\nf 1 2 6 5\r\nf 2 3 7 6\r\ng x\\y \\\r\n big_box\r\nf 3 4 8 "
+         "vt 0 0\r\no big box\r\nt crease 2/1/0 1 2 3.5\r\nf 1/1 4/1 3/1 2/1\r\ng a b a\r\nf -4//-1 -3//-1 -2//-1 "
+         "-1//-1\r\nf 1 2 6 5\r\nf 2 3 7 6\r\ng x\\y \\\r\n big_box\r\nf 3 4 8 "
          "7\r\nf 4 1 \\\r\n5 8\r\n";
 }
 

@@ -193,7 +193,8 @@ TEST(OpenCage, loops_are_named_by_the_numbers_of_the_text_where_unused_vertices_
           .value();
   ASSERT_EQ(read.report.boundaries.size(), 2u);
   EXPECT_EQ(read.report.boundaries[0].first_vertex, 2);
-  EXPECT_EQ(read.report.boundaries[0].component, 2) << "components are in the order of faces, loops in that of vertices";
+  EXPECT_EQ(read.report.boundaries[0].component, 2)
+      << "components are in the order of faces, loops in that of vertices";
   EXPECT_EQ(read.report.boundaries[1].first_vertex, 6);
   EXPECT_EQ(read.report.boundaries[1].component, 1);
   EXPECT_EQ(boundary_loops(read.cage), (Loops{{0, 1, 2}, {3, 4, 5}}));
@@ -235,9 +236,9 @@ TEST(OpenCage, faces_that_agree_are_left_as_they_are_even_if_the_filled_surface_
   Cage checked = beside;
   const Result<CageReport> report = validate(checked);
   ASSERT_TRUE(report.ok());
-  EXPECT_EQ(report->repairs,
-            std::vector<std::string>{"turned 6 faces, so that what pointed inward points outward"});
-  EXPECT_TRUE(std::equal(beside.faces.begin(), beside.faces.begin() + 5, checked.faces.begin())) << "the open one stays";
+  EXPECT_EQ(report->repairs, std::vector<std::string>{"turned 6 faces, so that what pointed inward points outward"});
+  EXPECT_TRUE(std::equal(beside.faces.begin(), beside.faces.begin() + 5, checked.faces.begin()))
+      << "the open one stays";
 }
 
 TEST(OpenCage, faces_that_disagree_are_turned_as_most_are_or_as_the_first_is) {
@@ -280,7 +281,8 @@ TEST(OpenCage, two_boundary_fans_at_a_vertex_are_refused) {
   grid.faces.erase(grid.faces.begin() + 4);
   EXPECT_EQ(report_of(grid).boundaries.size(), 2u);
   grid.faces.erase(grid.faces.begin());
-  EXPECT_EQ(refusal_of(grid), "vertex 6 joins 2 separate fans of faces: not a manifold") << "two holes meet in a corner";
+  EXPECT_EQ(refusal_of(grid), "vertex 6 joins 2 separate fans of faces: not a manifold")
+      << "two holes meet in a corner";
 }
 
 TEST(OpenCage, a_boundary_fan_that_touches_an_interior_vertex_is_refused) {
@@ -304,8 +306,8 @@ TEST(OpenCage, a_polygon_on_a_line_or_without_area_is_refused) {
 TEST(OpenCage, a_seam_of_doubled_vertices_is_noted_as_a_likely_mistake) {
   const std::string seam = "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 -1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 5 4 3\n";
   const CheckedCage read = read_checked_cage(seam).value();
-  EXPECT_EQ(read.report.notes, std::vector<std::string>{
-                                   "vertices 2 and 5 coincide, so merging duplicate vertices may close the surface"});
+  EXPECT_EQ(read.report.notes,
+            std::vector<std::string>{"vertices 2 and 5 coincide, so merging duplicate vertices may close the surface"});
   EXPECT_TRUE(report_of(square_grid(2)).notes.empty());
 }
 
