@@ -23,7 +23,13 @@ double faces_after(const PolygonMesh& cage, int steps) {
   return steps == 0 ? cage.face_count() : cage.halfedge_count() * std::pow(4.0, steps - 1);
 }
 
+std::optional<Error> refuse_open(const Cage& cage) {
+  if (cage.open.empty()) return std::nullopt;
+  return Error{cage.open};
+}
+
 Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints) {
+  if (auto error = refuse_open(cage)) return *error;
   Result<std::vector<bool>> held = held_faces(cage, constraints);
   if (!held) return held.error();
   const Placement placement = placement_of(cage.vertices);
@@ -70,7 +76,7 @@ HeldPoints held_points(const RefinedCage& cage, CapKind cap) {
 }
 
 Cage to_cage(const PolygonMesh& mesh, Points control) {
-  Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count())};
+  Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count()), {}, {}};
   for (int f = 0; f < mesh.face_count(); ++f) {
     cage.faces[f].reserve(mesh.face_size(f));
     for (int i = 0; i < mesh.face_size(f); ++i) cage.faces[f].push_back(mesh.origin(mesh.halfedge(f, i)));

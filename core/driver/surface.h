@@ -36,9 +36,13 @@ inline constexpr int kMaxFaces = 2'000'000;
 /// Of a cage after so many Catmull-Clark steps; a double, which does not overflow.
 double faces_after(const PolygonMesh& cage, int steps);
 
+/// Refuses open cages, as long as meshes must be closed. Empty for a closed cage.
+std::optional<Error> refuse_open(const Cage& cage);
+
 /// The cage at level 0 with its symmetry group (C1 unless `symmetric`); its points are made exactly symmetric, except
 /// those that held faces depend on. Of the symmetry, that part is left which keeps what is held. Fails as
-/// `required_level` and `held_faces`, and if the mesh after `last_level` steps would have more than kMaxFaces faces.
+/// `refuse_open`, `required_level` and `held_faces`, and if the mesh after `last_level` steps would have more than
+/// kMaxFaces faces.
 Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints = {});
 /// The cage after `steps` further Catmull-Clark steps.
 RefinedCage refine(RefinedCage cage, int steps);

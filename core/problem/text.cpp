@@ -58,8 +58,8 @@ Result<T> parse_value(std::string_view text) {
   const Result<JsonNode> root = parse_json(text);
   if (!root) return root.error();
   JsonReader reader;
-  T value;
-  reader.read(*root, value);
+  Result<T> value{T()};
+  reader.read(*root, value.value());
   if (!reader.ok()) return reader.error();
   return value;
 }
