@@ -36,7 +36,15 @@ Report full_report() {
   report.program = "1.2.3";
   report.instruction_set = "portable";
   report.problem = blend_of_a_frame();
-  report.cage = {22, 48, 24, 2, {{22, 48, 24, 2}}, {"1 unused vertex was dropped"}};
+  report.cage = {.vertices = 22,
+                 .edges = 48,
+                 .faces = 24,
+                 .genus = 2,
+                 .components = {{22, 48, 24, 2, 1}},
+                 .boundaries = {{1, 4, 7, 1}},
+                 .groups = {{"head", 3}},
+                 .repairs = {"1 unused vertex was dropped"},
+                 .notes = {"crease tags were ignored"}};
   report.group = {.name = "D3h", .order = 12, .incomplete = "the search was given up"};
   report.levels = {{.level = 0,
                     .patches = 24,
