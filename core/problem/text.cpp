@@ -58,7 +58,7 @@ Result<T> parse_value(std::string_view text) {
   const Result<JsonNode> root = parse_json(text);
   if (!root) return root.error();
   JsonReader reader;
-  T value;
+  T value{};
   reader.read(*root, value);
   if (!reader.ok()) return reader.error();
   return value;
