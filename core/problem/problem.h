@@ -11,11 +11,13 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "base/types.h"
 #include "cage/generate.h"
 #include "problem/members.h"
 #include "problem/options.h"
+#include "problem/pin.h"
 
 namespace umbilic {
 
@@ -68,10 +70,14 @@ struct CagePath {
 
 using CageInput = std::variant<GeneratedCage, CageText, CagePath>;
 
-/// What the surface must keep besides its symmetry. Empty so far.
+/// What the surface must keep besides its symmetry.
 struct Constraints {
+  std::vector<Pin> pins;
+
   template <class Visit, class Self>
-  static void members(Visit&&, Self&) {}
+  static void members(Visit&& visit, Self& self) {
+    visit("pins", self.pins, "Points of the surface that are held, and normals");
+  }
 };
 
 /// A surface of a run in compact form: the control mesh `level` Catmull-Clark steps from the cage, given by the points
@@ -103,7 +109,7 @@ struct Problem {
   static void members(Visit&& visit, Self& self) {
     visit.required("cage", self.cage, "The cage: generated, or the text of a file");
     visit.required("terms", self.options.weights, "Weights of the functionals whose sum is minimized, 0 unless given");
-    visit("constraints", self.constraints, "There are none yet");
+    visit("constraints", self.constraints, "What the surface must keep");
     visit("options", self.options, "How the sum is minimized");
     visit("start", self.start, "Where the run goes on, instead of beginning with the cage");
   }
