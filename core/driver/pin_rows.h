@@ -58,9 +58,8 @@ PinRows pin_rows(const std::vector<HeldPoint>& held, const PolygonMesh& mesh);
 /// Rows over the control points as rows over the unknowns of `coordinates`.
 LinearRows in_coordinates(const LinearRows& rows, const Coordinates& coordinates);
 
-/// By how much the energy changes when the pin's target moves, in energy per unit of length, from the multipliers of
-/// the rows: the force that the pin exerts on the surface is its negative. `back` = 2^-exponent of the placement gives
-/// it per unit of the cage's own length.
+/// The force with which the pin pulls the surface, from the multipliers of the rows: the derivative of the minimal energy
+/// by the pin's position, in unit coordinates. Divided by 2^exponent of the placement it is one by the cage's own length.
 Vector3 pull(const PinRows& rows, const Eigen::VectorXd& multipliers, int pin);
 
 /// The pins whose normals are held, but now point inward: the equations do not tell n from -n.
