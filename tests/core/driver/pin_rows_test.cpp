@@ -17,7 +17,7 @@
 namespace umbilic::test {
 namespace {
 
-RefinedCage prepared(const Cage& cage, bool symmetric = false) { return prepare({cage, {}, 0}, 2, symmetric).value(); }
+RefinedCage prepared(const Cage& cage, bool symmetric = false) { return prepare(cage, 2, symmetric).value(); }
 
 std::vector<HeldPoint> held_by(const std::vector<Pin>& pins, const RefinedCage& cage) {
   Result<std::vector<HeldPoint>> held = hold(pins, cage);
