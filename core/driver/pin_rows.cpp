@@ -12,9 +12,7 @@ namespace {
 
 constexpr double kSameTarget = 1e-10, kSameWeight = 1e-9;
 
-Error refused(std::size_t pin, std::string_view words) {
-  return {fmt::format("constraints.pins[{}].{}", pin, words)};
-}
+Error refused(std::size_t pin, std::string_view words) { return {fmt::format("constraints.pins[{}].{}", pin, words)}; }
 
 Result<SurfacePlace> place_of(const Pin& pin, std::size_t index, const PolygonMesh& mesh) {
   if (Error error; !in_range(pin, error)) return refused(index, error.message);

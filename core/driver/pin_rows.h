@@ -28,7 +28,7 @@ namespace umbilic {
 struct HeldPoint {
   SurfacePlace place;
   Vector3 position = Vector3::Zero();
-  bool holds[3] = {};              ///< which coordinates of the position
+  bool holds[3] = {};                ///< which coordinates of the position
   Vector3 normal = Vector3::Zero();  ///< of length 1, pointing outward; zero if it is not held
 
   bool holds_normal() const { return !normal.isZero(0); }
@@ -58,8 +58,9 @@ PinRows pin_rows(const std::vector<HeldPoint>& held, const PolygonMesh& mesh);
 /// Rows over the control points as rows over the unknowns of `coordinates`.
 LinearRows in_coordinates(const LinearRows& rows, const Coordinates& coordinates);
 
-/// The force with which the pin pulls the surface, from the multipliers of the rows: the derivative of the minimal energy
-/// by the pin's position, in unit coordinates. Divided by 2^exponent of the placement it is one by the cage's own length.
+/// The force with which the pin pulls the surface, from the multipliers of the rows: the derivative of the minimal
+/// energy by the pin's position, in unit coordinates. Divided by 2^exponent of the placement it is one by the cage's
+/// own length.
 Vector3 pull(const PinRows& rows, const Eigen::VectorXd& multipliers, int pin);
 
 /// The pins whose normals are held, but now point inward: the equations do not tell n from -n.

@@ -159,7 +159,8 @@ void AffineSubspace::build_basis(const RowElimination& elimination) {
       for (int k = 0; k < count; ++k) place[inside[k]] = k;
       Eigen::MatrixXd transposed = Eigen::MatrixXd::Zero(count, rank);
       for (int i = 0; i < rank; ++i) {
-        for (decltype(matrix_)::InnerIterator it(matrix_, rows[i]); it; ++it) transposed(place[it.col()], i) = it.value();
+        for (decltype(matrix_)::InnerIterator it(matrix_, rows[i]); it; ++it)
+          transposed(place[it.col()], i) = it.value();
       }
       const Eigen::MatrixXd block = complement(std::move(transposed));
       for (int k = rank; k < count; ++k) {
@@ -175,7 +176,8 @@ void AffineSubspace::build_basis(const RowElimination& elimination) {
       free_unknown_[column[inside[k]]] = inside[k];
     }
     for (const int row : rows) {
-      for (const auto& [unknown, value] : solved[row]) entries.emplace_back(elimination.pivot(row), column[unknown], value);
+      for (const auto& [unknown, value] : solved[row])
+        entries.emplace_back(elimination.pivot(row), column[unknown], value);
     }
   }
   basis_.resize(unknowns, static_cast<Eigen::Index>(free_unknown_.size()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The solutions of sparse linear equations as an affine subspace with coordinates of its own: exact linear constraints.
+/// The solutions of sparse linear equations as an affine subspace with coordinates of its own: exact linear
+/// constraints.
 ///
 /// What must hold exactly is not penalized but eliminated: the solutions of A q = b are q = q0 + N y, where the columns
 /// of N are a basis of the vectors with A d = 0. A minimizer that moves y meets every equation all the way.

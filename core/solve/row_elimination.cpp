@@ -12,7 +12,7 @@
 namespace umbilic {
 namespace {
 
-constexpr double kRounding = 1e-17;            // entries below this, of rows of length 1, are left out
+constexpr double kRounding = 1e-17;             // entries below this, of rows of length 1, are left out
 constexpr double kVanishingCoefficient = 1e-9;  // relative to the largest
 
 }  // namespace

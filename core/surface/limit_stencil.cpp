@@ -97,8 +97,8 @@ LimitStencil at_face(const PolygonMesh& mesh, int h, double u, double v) {
     for (auto [point, sector, a, b] : around_face(mesh, h)) {
       for (; sector > 0; --sector) a = -std::exchange(b, a);
       const int i = a + 1, j = b + 1;
-      weights.emplace_back(point, Vector3(along_u(0, i) * along_v(0, j), along_u(1, i) * along_v(0, j),
-                                          along_u(0, i) * along_v(1, j)));
+      weights.emplace_back(
+          point, Vector3(along_u(0, i) * along_v(0, j), along_u(1, i) * along_v(0, j), along_u(0, i) * along_v(1, j)));
     }
     return collect(std::move(weights));
   }

@@ -33,8 +33,8 @@ SurfacePlace refined(const SurfacePlace& place, const PolygonMesh& mesh);
 
 /// With P the control points, the sums over i of weights(k, i) P(points[i]) are the position (k = 0) and two tangents
 /// (k = 1, 2) whose cross product points outward. In a quad these are the derivatives by u and v of the quad from which
-/// the place's steps are counted; at a vertex, and at an extraordinary corner of a quad, they span the tangent plane, and
-/// their lengths mean nothing.
+/// the place's steps are counted; at a vertex, and at an extraordinary corner of a quad, they span the tangent plane,
+/// and their lengths mean nothing.
 struct LimitStencil {
   std::vector<int> points;  ///< rising
   Eigen::Matrix<double, 3, Eigen::Dynamic> weights;

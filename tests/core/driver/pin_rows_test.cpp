@@ -35,10 +35,10 @@ Points points_of(const Eigen::VectorXd& flat) { return Eigen::Map<const Points>(
 
 TEST(PinRows, hold_the_surface_where_it_is_on_every_level) {
   const RefinedCage coarse = prepared(prism(5));
-  const std::vector<HeldPoint> held =
-      held_by({{.vertex = 2, .normal = true}, {.face = 4, .uv = {{0.3, 0.8}}, .normal = true},
-               {.face = 1, .corner = 2, .uv = {{0.25, 0.5}}, .normal = true}},
-              coarse);
+  const std::vector<HeldPoint> held = held_by({{.vertex = 2, .normal = true},
+                                               {.face = 4, .uv = {{0.3, 0.8}}, .normal = true},
+                                               {.face = 1, .corner = 2, .uv = {{0.25, 0.5}}, .normal = true}},
+                                              coarse);
   std::vector<HeldPoint> here = held;
   RefinedCage level = coarse;
   for (int step = 0; step < 3; ++step) {
@@ -72,8 +72,7 @@ TEST(PinRows, put_points_and_normals_where_they_are_asked_for) {
   const AffineSubspace solutions(rows.rows, flat(level.control));
   ASSERT_TRUE(solutions.contradiction().empty());
   Random random(3);
-  const Points control =
-      points_of(solutions.point(0.05 * random.matrix<Eigen::VectorXd>(solutions.dimension(), 1)));
+  const Points control = points_of(solutions.point(0.05 * random.matrix<Eigen::VectorXd>(solutions.dimension(), 1)));
   std::vector<SurfacePlace> places;
   for (const HeldPoint& point : held) places.push_back(point.place);
   const std::vector<LimitStencil> stencils = limit_stencils(level.mesh, places);
@@ -101,8 +100,8 @@ TEST(PinRows, refuse_what_the_cage_does_not_have) {
 
 TEST(PinRows, that_contradict_each_other_are_named) {
   const RefinedCage cage = prepared(cube());
-  const std::vector<HeldPoint> held = held_by(
-      {{.vertex = 1}, {.vertex = 2}, {.face = 1, .uv = {{0, 0}}, .at = Coordinates3{0, 0, -1}}}, cage);
+  const std::vector<HeldPoint> held =
+      held_by({{.vertex = 1}, {.vertex = 2}, {.face = 1, .uv = {{0, 0}}, .at = Coordinates3{0, 0, -1}}}, cage);
   const PinRows rows = pin_rows(held, cage.mesh);
   const AffineSubspace solutions(rows.rows, flat(cage.control));
   ASSERT_EQ(solutions.contradiction().size(), 2u) << "face 1 begins with vertex 1";
@@ -216,8 +215,7 @@ TEST(PinRows, multiplier_is_the_derivative_of_the_minimal_energy_by_the_pins_pos
   const double h = 1e-3;  // third derivatives times h^2 / 6 are below 1e-6, the energies exact to 1e-11
   for (int c = 0; c < 3; ++c) {
     const Vector3 shift = h * Vector3::Unit(c);
-    const double slope =
-        (minimum(shift, found.control).energy - minimum(-shift, found.control).energy) / (2 * h);
+    const double slope = (minimum(shift, found.control).energy - minimum(-shift, found.control).energy) / (2 * h);
     EXPECT_NEAR(force[c], slope, 1e-4 * force.norm()) << c;
   }
   // In equilibrium the pins' forces balance, but for the torque of the turned normal.

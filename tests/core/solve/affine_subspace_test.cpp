@@ -85,9 +85,7 @@ Dense tangent_projection(const Dense& a, double cutoff = 1e-9) {
   return Dense::Identity(a.cols(), a.cols()) - q * q.transpose();
 }
 
-Dense projection_of(const Dense& basis) {
-  return basis * test::solve(basis.transpose() * basis, basis.transpose());
-}
+Dense projection_of(const Dense& basis) { return basis * test::solve(basis.transpose() * basis, basis.transpose()); }
 
 TEST(AffineSubspace, holds_all_solutions_and_nothing_else) {
   Random random(1);
@@ -238,9 +236,9 @@ TEST(AffineSubspace, does_not_depend_on_the_order_or_the_scale_of_the_rows) {
     }
     const AffineSubspace first(rows, start), second(other, start);
     EXPECT_LT((first.origin() - second.origin()).norm(), 1e-10);
-    EXPECT_LT((Dense(first.basis() * first.basis().transpose()) - Dense(second.basis() * second.basis().transpose()))
-                  .norm(),
-              1e-9);
+    EXPECT_LT(
+        (Dense(first.basis() * first.basis().transpose()) - Dense(second.basis() * second.basis().transpose())).norm(),
+        1e-9);
     EXPECT_EQ(first.redundant().size(), second.redundant().size());
     const AffineSubspace again(rows, start);
     EXPECT_EQ(first.origin(), again.origin()) << "to the last bit";

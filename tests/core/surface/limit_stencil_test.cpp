@@ -35,7 +35,8 @@ std::vector<std::pair<const char*, Refined>> rough_meshes() {
 std::vector<SurfacePlace> places_on(const PolygonMesh& mesh) {
   std::vector<SurfacePlace> places;
   for (int v = 0; v < mesh.vertex_count(); v += 1 + mesh.vertex_count() / 9) places.push_back({.vertex = v});
-  const double points[][2] = {{0.3, 0.1}, {0.7, 0.2}, {0.9, 0.6}, {0.2, 0.8}, {0.5, 0}, {0, 0.25}, {0, 0}, {1, 0}, {1, 1}};
+  const double points[][2] = {{0.3, 0.1}, {0.7, 0.2}, {0.9, 0.6}, {0.2, 0.8}, {0.5, 0},
+                              {0, 0.25},  {0, 0},     {1, 0},     {1, 1}};
   for (int h = 0; h < mesh.halfedge_count(); h += 1 + mesh.halfedge_count() / 31) {
     for (const auto& [u, v] : points) places.push_back({.halfedge = h, .u = u, .v = v});
   }
@@ -59,7 +60,8 @@ TEST(LimitStencil, of_a_place_is_the_same_on_every_level) {
         EXPECT_LT((before.col(0) - after.col(0)).norm(), 1e-14) << name << " " << i << " step " << step;
         const Vector3 n = normal(before);
         EXPECT_LT((n - normal(after)).norm(), 1e-11) << name << " " << i << " step " << step;
-        const bool corner = places[i].is_vertex() || (places[i].u == std::floor(places[i].u) && places[i].v == std::floor(places[i].v));
+        const bool corner =
+            places[i].is_vertex() || (places[i].u == std::floor(places[i].u) && places[i].v == std::floor(places[i].v));
         if (corner) continue;
         EXPECT_LT((before - after).norm(), 1e-12 * before.norm()) << name << " " << i << " step " << step;
       }
@@ -72,7 +74,8 @@ TEST(LimitStencil, in_a_face_agrees_with_deep_subdivision) {
     std::vector<SurfacePlace> places;
     for (const SurfacePlace& place : places_on(mesh.mesh)) {
       const bool corner = (place.u == 0 || place.u == 1) && (place.v == 0 || place.v == 1);
-      if (!place.is_vertex() && !corner && mesh.mesh.face_size(mesh.mesh.face(place.halfedge)) == 4) places.push_back(place);
+      if (!place.is_vertex() && !corner && mesh.mesh.face_size(mesh.mesh.face(place.halfedge)) == 4)
+        places.push_back(place);
     }
     if (mesh.mesh.halfedge_count() != 4 * mesh.mesh.face_count()) continue;
     const DeepSubdivision deep(mesh.mesh, mesh.control);
