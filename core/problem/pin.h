@@ -25,12 +25,12 @@ using Coordinates3 = std::array<double, 3>;
 /// has such coordinates only after one Catmull-Clark step, in the quad around each of its corners: (0, 0) at the
 /// corner, (1, 0) at the middle of the edge to the next, (1, 1) in the middle of the face. `corner` names it.
 struct Pin {
-  std::optional<int> vertex, face, corner;
-  std::optional<std::array<double, 2>> uv;
-  std::optional<Coordinates3> at;  ///< NaN where the coordinate is free
+  std::optional<int> vertex{}, face{}, corner{};
+  std::optional<std::array<double, 2>> uv{};
+  std::optional<Coordinates3> at{};  ///< NaN where the coordinate is free
   bool position = true;
   /// Whether the surface's own normal is kept; or the normal, of any length.
-  std::optional<std::variant<bool, Coordinates3>> normal;
+  std::optional<std::variant<bool, Coordinates3>> normal{};
 
   bool holds_normal() const { return normal && *normal != std::variant<bool, Coordinates3>(false); }
 
