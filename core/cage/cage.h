@@ -15,6 +15,9 @@ namespace umbilic {
 struct Cage {
   Points vertices;
   std::vector<std::vector<int>> faces;  ///< corners in cyclic order, zero-based
+  /// The faces that are holes, in rising order: they take part in subdivision, as the others do, but the surface has no
+  /// points over them. A ring of them beyond a boundary says how the surface meets it.
+  std::vector<int> holes{};
 };
 
 struct CageComponent {
