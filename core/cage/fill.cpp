@@ -12,8 +12,8 @@
 #include <optional>
 #include <set>
 
+#include "cage/boundary.h"
 #include "cage/edges.h"
-#include "cage/fill_loops.h"
 #include "cage/fill_pattern.h"
 #include "cage/fill_positions.h"
 #include "cage/fill_quads.h"
@@ -33,6 +33,15 @@ struct Task {
 
   Error error(const std::string& what) const { return Error{fmt::format("loop {} {}", number + 1, what)}; }
 };
+
+/// The loops of the surface, around which there may be holes.
+std::vector<Loop> surface_loops(const Cage& cage) {
+  Cage surface{cage.vertices};
+  for (int f = 0; f < static_cast<int>(cage.faces.size()); ++f) {
+    if (!std::binary_search(cage.holes.begin(), cage.holes.end(), f)) surface.faces.push_back(cage.faces[f]);
+  }
+  return boundary_loops(surface);
+}
 
 /// Turns the loop, which keeps its first vertex, so that what is missing lies to its left.
 void turn(Loop& loop) { std::reverse(loop.begin() + 1, loop.end()); }
@@ -104,14 +113,25 @@ void open_holes(Cage& cage, std::vector<Task>& tasks) {
     }
   }
 
-  std::vector<int> renumbered(cage.vertices.rows(), -1);
   Cage kept;
-  std::set<int> holes(cage.holes.begin(), cage.holes.end());
-  for (int f = 0; f < static_cast<int>(cage.faces.size()); ++f) {
+  std::vector<int> renumbered(cage.vertices.rows(), -1), new_face(cage.faces.size(), -1);
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
     if (removed[f]) continue;
-    if (holes.count(f) > 0) kept.holes.push_back(static_cast<int>(kept.faces.size()));
+    new_face[f] = static_cast<int>(kept.faces.size());
     kept.faces.push_back(cage.faces[f]);
     for (const int v : cage.faces[f]) renumbered[v] = 0;
+  }
+  const auto kept_of = [&](const std::vector<int>& faces) {
+    std::vector<int> numbers;
+    for (const int f : faces) {
+      if (!removed[f]) numbers.push_back(new_face[f]);
+    }
+    return numbers;
+  };
+  kept.holes = kept_of(cage.holes);
+  for (const FaceGroup& group : cage.groups) {
+    FaceGroup rest{group.name, kept_of(group.faces)};
+    if (!rest.faces.empty()) kept.groups.push_back(std::move(rest));
   }
   int count = 0;
   kept.vertices.resize(cage.vertices.rows(), 3);
@@ -178,7 +198,7 @@ std::vector<Vector3> points_of(const Cage& cage, const Loop& loop) {
 
 /// The loop after a step of the cage, in which its vertices have kept their numbers.
 Loop refined_loop(const Loop& loop, const Cage& refined_cage) {
-  for (Loop& candidate : loops_to_fill(refined_cage)) {
+  for (Loop& candidate : surface_loops(refined_cage)) {
     if (std::find(candidate.begin(), candidate.end(), loop[0]) == candidate.end()) continue;
     turn(candidate);
     return candidate;
@@ -205,13 +225,22 @@ std::optional<Error> check_sides(const Task& task, const FillPattern& pattern) {
   return task.error(fmt::format("has sides of {} edges between its corners, which no patch of quads has", numbers));
 }
 
+/// The first name fill-N from this number on that no group has.
+std::string free_name(const Cage& cage, int number) {
+  for (;; ++number) {
+    std::string name = fmt::format("fill-{}", number);
+    const auto called = [&](const FaceGroup& group) { return group.name == name; };
+    if (std::none_of(cage.groups.begin(), cage.groups.end(), called)) return name;
+  }
+}
+
 /// Adds the quads; the new vertices are smoothed.
 Result<FilledLoop> add(const Task& task, const FillPattern& pattern, const Arrival& arrival, Cage& cage) {
   if (auto error = check_sides(task, pattern)) return *error;
   FillQuads quads = fill_quads(points_of(cage, task.loop), pattern);
   smooth_fill(quads, along(task.loop, arrival.directions));
 
-  FilledLoop filled{task.number, {}, {}};
+  FilledLoop filled{task.number, {}, {}, free_name(cage, task.number + 1)};
   std::vector<int> number = task.loop;
   const auto before = static_cast<int>(cage.vertices.rows());
   const auto added = static_cast<int>(quads.points.size()) - quads.loop;
@@ -225,6 +254,7 @@ Result<FilledLoop> add(const Task& task, const FillPattern& pattern, const Arriv
     filled.faces.push_back(static_cast<int>(cage.faces.size()));
     cage.faces.push_back({number[quad[0]], number[quad[1]], number[quad[2]], number[quad[3]]});
   }
+  cage.groups.push_back({filled.group, filled.faces});
   return filled;
 }
 
@@ -242,7 +272,7 @@ std::optional<Error> check_edges(const Cage& cage) {
 }  // namespace
 
 Result<FilledCage> fill(const Cage& cage, const FillOptions& options) {
-  const std::vector<Loop> loops = loops_to_fill(cage);
+  const std::vector<Loop> loops = surface_loops(cage);
   const Result<std::vector<int>> chosen = chosen_loops(options, static_cast<int>(loops.size()));
   if (!chosen) return chosen.error();
   std::vector<Task> tasks;
@@ -278,6 +308,7 @@ Result<FilledCage> fill(const Cage& cage, const FillOptions& options) {
     result.loops.push_back(*std::move(filled));
   }
   if (auto error = check_edges(result.cage)) return *error;
+  result.cage.open.clear();
   return result;
 }
 

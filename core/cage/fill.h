@@ -22,6 +22,7 @@
 /// of the quads across the loop, are least in sum: the fill goes on in the direction in which the surface arrives.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -44,10 +45,11 @@ struct FilledLoop {
   int loop = 0;
   std::vector<int> faces;     ///< new faces
   std::vector<int> vertices;  ///< new vertices
+  std::string group;          ///< name of the group of the new faces: fill-1, or the next that was not taken
 };
 
 struct FilledCage {
-  Cage cage;  ///< the faces and vertices that were there come first, in their order, if `refined` is false
+  Cage cage;  ///< the faces and vertices that were there (or came of those by `refined`) come first, in their order
   std::vector<FilledLoop> loops;
   bool refined = false;  ///< whether one Catmull-Clark step of the whole cage came first; see refine.h
 };
@@ -56,7 +58,7 @@ struct FilledCage {
 inline constexpr int kLongestFilledLoop = 1000;
 
 /// `cage` must have passed `validate`. Faces marked as holes that touch a filled loop, directly or by others, are taken
-/// out, and so are vertices that no other face uses. Errors name the loop, and number loops and vertices from 1.
+/// out, and so are vertices that no other face uses. What is not filled keeps its groups. Errors name the loop, and number loops and vertices from 1.
 Result<FilledCage> fill(const Cage& cage, const FillOptions& options = {});
 
 }  // namespace umbilic

@@ -30,19 +30,13 @@ Vector3 moved(const Vector3& vertex, const Neighbourhood& around) {
   return (around.face_points / n + around.neighbours / n + (n - 2) * vertex) / n;
 }
 
-std::vector<int> refined_holes(const Cage& cage) {
-  std::vector<int> holes;
-  std::size_t next = 0;
-  int child = 0;
-  for (int f = 0; f < static_cast<int>(cage.faces.size()) && next < cage.holes.size(); ++f) {
-    const auto size = static_cast<int>(cage.faces[f].size());
-    if (cage.holes[next] == f) {
-      ++next;
-      for (int i = 0; i < size; ++i) holes.push_back(child + i);
-    }
-    child += size;
+/// The quads of these faces, where those of the face f are numbered from first[f] to before first[f + 1].
+std::vector<int> quads_of(const std::vector<int>& faces, const std::vector<int>& first) {
+  std::vector<int> quads;
+  for (const int f : faces) {
+    for (int quad = first[f]; quad < first[f + 1]; ++quad) quads.push_back(quad);
   }
-  return holes;
+  return quads;
 }
 
 }  // namespace
@@ -85,6 +79,7 @@ Cage refined(const Cage& cage) {
   }
 
   Cage result;
+  std::vector<int> first{0};
   const auto edge_count = static_cast<int>(edge_points.size());
   result.vertices.resize(vertex_count + edge_count + face_count, 3);
   for (int v = 0; v < vertex_count; ++v) result.vertices.row(v) = moved(point(v), around[v]);
@@ -96,8 +91,10 @@ Cage refined(const Cage& cage) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
       result.faces.push_back({cage.faces[f][i], sides[i], centre, sides[(i + sides.size() - 1) % sides.size()]});
     }
+    first.push_back(static_cast<int>(result.faces.size()));
   }
-  result.holes = refined_holes(cage);
+  result.holes = quads_of(cage.holes, first);
+  for (const FaceGroup& group : cage.groups) result.groups.push_back({group.name, quads_of(group.faces, first)});
   return result;
 }
 

@@ -21,7 +21,13 @@ double faces_after(const PolygonMesh& cage, int steps) {
   return steps == 0 ? cage.face_count() : cage.halfedge_count() * std::pow(4.0, steps - 1);
 }
 
+std::optional<Error> refuse_open(const Cage& cage) {
+  if (cage.open.empty()) return std::nullopt;
+  return Error{cage.open};
+}
+
 Result<RefinedCage> prepare(const StartingCage& start, int last_level, bool symmetric) {
+  if (auto error = refuse_open(start.cage)) return *error;
   const Placement placement = placement_of(start.cage.vertices);
   RefinedCage result{0, PolygonMesh(start.cage), placement.to_unit(start.cage.vertices), {}, placement};
   const PolygonMesh& mesh = result.mesh;
@@ -55,7 +61,7 @@ RefinedCage refine(RefinedCage cage, int steps) {
 }
 
 Cage to_cage(const PolygonMesh& mesh, Points control) {
-  Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count())};
+  Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count()), {}, {}};
   for (int f = 0; f < mesh.face_count(); ++f) {
     cage.faces[f].reserve(mesh.face_size(f));
     for (int i = 0; i < mesh.face_size(f); ++i) cage.faces[f].push_back(mesh.origin(mesh.halfedge(f, i)));

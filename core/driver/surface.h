@@ -38,8 +38,11 @@ struct StartingCage {
   int level = 0;
 };
 
+/// Refuses open cages, as long as meshes must be closed. Empty for a closed cage.
+std::optional<Error> refuse_open(const Cage& cage);
+
 /// The cage at level 0 with its symmetry group (C1 unless `symmetric`); its points are made exactly symmetric. Fails as
-/// `required_level`, and if the mesh after `last_level` steps would have more than kMaxFaces faces.
+/// `refuse_open`, as `required_level`, and if the mesh after `last_level` steps would have more than kMaxFaces faces.
 Result<RefinedCage> prepare(const StartingCage& start, int last_level, bool symmetric);
 /// The cage after `steps` further Catmull-Clark steps.
 RefinedCage refine(RefinedCage cage, int steps);

@@ -365,5 +365,22 @@ TEST(Fill, takes_out_the_faces_marked_as_holes_that_a_loop_touches) {
   EXPECT_EQ(one->cage.holes, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
 }
 
+TEST(Fill, puts_the_new_faces_of_each_loop_into_a_group_and_keeps_the_others) {
+  Cage cage = tube(9, 2);
+  cage.groups = {{"lower", {0, 1, 2, 3, 4, 5, 6, 7, 8}}, {"fill-2", {9}}};
+  const FilledCage filled = expect_closed(cage);
+  ASSERT_TRUE(filled.refined);
+  const std::vector<FaceGroup>& groups = filled.cage.groups;
+  ASSERT_EQ(groups.size(), 4u);
+  EXPECT_EQ(groups[0].name, "lower");
+  EXPECT_EQ(groups[0].faces.size(), 36u);
+  EXPECT_EQ(groups[0].faces.back(), 35);
+  EXPECT_EQ(groups[1].faces, (std::vector<int>{36, 37, 38, 39})) << "the quads of the face";
+  EXPECT_EQ(groups[2].name, "fill-1");
+  EXPECT_EQ(groups[2].faces, filled.loops[0].faces);
+  EXPECT_EQ(groups[3].name, "fill-3");
+  EXPECT_EQ(filled.loops[1].group, "fill-3");
+}
+
 }  // namespace
 }  // namespace umbilic::test
