@@ -40,7 +40,8 @@ CageReport count(const Cage& cage, const std::vector<EdgeUse>& uses, const Orien
     report.faces += component.faces;
     report.genus += component.genus;
   }
-  for (const FaceGroup& group : cage.groups) report.groups.push_back({group.name, static_cast<int>(group.faces.size())});
+  for (const FaceGroup& group : cage.groups)
+    report.groups.push_back({group.name, static_cast<int>(group.faces.size())});
   return report;
 }
 

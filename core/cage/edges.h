@@ -42,8 +42,8 @@ struct Orientation {
 Orientation orient(const Cage& cage, const std::vector<EdgeUse>& uses);
 
 /// Number of fans of faces around each vertex, where faces that share an edge at the vertex belong to the same fan. It
-/// is 1 everywhere on a vertex-manifold, and 0 at unused vertices. At an open edge a fan ends. No edge may have more than
-/// two uses.
+/// is 1 everywhere on a vertex-manifold, and 0 at unused vertices. At an open edge a fan ends. No edge may have more
+/// than two uses.
 std::vector<int> fan_counts(const Cage& cage, const std::vector<EdgeUse>& uses);
 
 }  // namespace umbilic

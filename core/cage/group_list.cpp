@@ -59,8 +59,7 @@ std::optional<Error> GroupList::begin_object(std::string_view words) {
 
 std::optional<Error> GroupList::append(int face) {
   if (static_cast<int>(current_.size()) > limits_.memberships - memberships_) {
-    return Error{
-        fmt::format("more than {} faces in all groups together: the file is too large", limits_.memberships)};
+    return Error{fmt::format("more than {} faces in all groups together: the file is too large", limits_.memberships)};
   }
   memberships_ += static_cast<int>(current_.size());
   for (const int group : current_) groups_[group].faces.push_back(face);
@@ -72,9 +71,8 @@ std::vector<FaceGroup> GroupList::take() {
   for (FaceGroup& group : groups_) {
     if (!group.faces.empty()) groups.push_back(std::move(group));
   }
-  std::stable_sort(groups.begin(), groups.end(), [](const FaceGroup& a, const FaceGroup& b) {
-    return a.faces.front() < b.faces.front();
-  });
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const FaceGroup& a, const FaceGroup& b) { return a.faces.front() < b.faces.front(); });
   return groups;
 }
 

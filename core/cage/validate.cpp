@@ -91,8 +91,8 @@ std::optional<std::string> coincident_pair(const Cage& cage, const std::vector<E
   const auto twin =
       std::adjacent_find(rim.begin(), rim.end(), [&](int a, int b) { return position(a) == position(b); });
   if (twin == rim.end()) return std::nullopt;
-  return fmt::format("vertices {} and {} coincide, so merging duplicate vertices may close",
-                     naming.vertex(twin[0]), naming.vertex(twin[1]));
+  return fmt::format("vertices {} and {} coincide, so merging duplicate vertices may close", naming.vertex(twin[0]),
+                     naming.vertex(twin[1]));
 }
 
 std::optional<Error> check_edges(const std::vector<EdgeUse>& uses, const Naming& naming) {

@@ -18,11 +18,11 @@ void append_rows(std::string& out, const char* keyword, const Points& rows) {
   }
 }
 
-/// Goes through the faces in their order, and tells where the groups of a face are others than those of the face before.
+/// Goes through the faces in their order, and tells where the groups of a face are others than those of the face
+/// before.
 class GroupChanges {
  public:
-  explicit GroupChanges(const Cage& cage)
-      : cage_(cage), groups_of_face_(cage.groups.empty() ? 0 : cage.faces.size()) {
+  explicit GroupChanges(const Cage& cage) : cage_(cage), groups_of_face_(cage.groups.empty() ? 0 : cage.faces.size()) {
     for (std::size_t g = 0; g < cage.groups.size(); ++g) {
       for (const int face : cage.groups[g].faces) groups_of_face_[face].push_back(static_cast<int>(g));
     }
