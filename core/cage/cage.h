@@ -26,8 +26,8 @@ struct Cage {
   /// Of an open cage the sentence that refuses it, with the line of its first open edge; set by `validate`. It is here
   /// only as long as meshes must be closed; see `refuse_open` in driver/surface.h.
   std::string open{};
-  /// The faces that are holes, ascending: they take part in subdivision, as the others do, but the surface has no points
-  /// over them. A ring of them beyond a boundary says how the surface meets it.
+  /// The faces that are holes, ascending: they take part in subdivision, as the others do, but the surface has no
+  /// points over them. A ring of them beyond a boundary says how the surface meets it.
   std::vector<int> holes{};
 };
 

@@ -219,8 +219,8 @@ std::optional<Error> check_sides(const Task& task, const FillPattern& pattern) {
   if (is_patch(sides)) return std::nullopt;
   const std::string numbers = fmt::format("{}", fmt::join(sides, ", "));
   if (sides.size() == 4) {
-    return task.error(fmt::format("has sides of {} edges between its corners, but opposite ones must have equally many",
-                                  numbers));
+    return task.error(
+        fmt::format("has sides of {} edges between its corners, but opposite ones must have equally many", numbers));
   }
   return task.error(fmt::format("has sides of {} edges between its corners, which no patch of quads has", numbers));
 }

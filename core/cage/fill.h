@@ -8,9 +8,10 @@
 /// is 2s edges shorter than the one around it, until a fan of s quads is left.
 ///
 /// - Where 3 to 12 of the loop's vertices have three or more faces and divide the loop into sides that such a patch can
-///   have, these are the corners. They end with one more face, and the others with two more: a hole from which the faces
-///   around a vertex were taken gets them back, and an N-sided hole its vertex of valence N.
-/// - Elsewhere the loop is smooth, and a ring of quads as long as the loop comes first, so that the vertices of the loop
+///   have, these are the corners. They end with one more face, and the others with two more: a hole from which the
+///   faces around a vertex were taken gets them back, and an N-sided hole its vertex of valence N.
+/// - Elsewhere the loop is smooth, and a ring of quads as long as the loop comes first, so that the vertices of the
+/// loop
 ///   become regular. The patch within has four corners where the loop's length is a multiple of 4, else five or three
 ///   if that divides it evenly, else four with sides that differ by one edge; they lie where the loop turns most.
 ///
@@ -58,7 +59,8 @@ struct FilledCage {
 inline constexpr int kLongestFilledLoop = 1000;
 
 /// `cage` must have passed `validate`. Faces marked as holes that touch a filled loop, directly or by others, are taken
-/// out, and so are vertices that no other face uses. What is not filled keeps its groups. Errors name the loop, and number loops and vertices from 1.
+/// out, and so are vertices that no other face uses. What is not filled keeps its groups. Errors name the loop, and
+/// number loops and vertices from 1.
 Result<FilledCage> fill(const Cage& cage, const FillOptions& options = {});
 
 }  // namespace umbilic

@@ -252,11 +252,10 @@ bool maps_to_itself(const Cage& cage, const Eigen::Matrix3d& isometry) {
 }
 
 TEST(Fill, is_as_symmetric_as_the_patch_and_what_it_fills) {
-  const auto turned = [](double angle) {
-    return Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
-  };
+  const auto turned = [](double angle) { return Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix(); };
   const Eigen::Matrix3d mirror = Vector3(1, 1, -1).asDiagonal();
-  for (const auto& [n, sides] : std::map<int, int>{{3, 3}, {5, 5}, {6, 3}, {8, 4}, {10, 5}, {12, 4}, {18, 3}, {40, 4}}) {
+  for (const auto& [n, sides] :
+       std::map<int, int>{{3, 3}, {5, 5}, {6, 3}, {8, 4}, {10, 5}, {12, 4}, {18, 3}, {40, 4}}) {
     const FilledCage filled = expect_closed(tube(n, 2));
     EXPECT_TRUE(maps_to_itself(filled.cage, turned(2 * pi / sides))) << n;
     EXPECT_TRUE(maps_to_itself(filled.cage, mirror)) << n;

@@ -15,7 +15,8 @@ Cage sheet(int m, int n) {
   Cage cage;
   cage.vertices.resize((m + 1) * (n + 1), 3);
   for (int j = 0; j <= n; ++j) {
-    for (int i = 0; i <= m; ++i) cage.vertices.row(j * (m + 1) + i) << i, j + 0.1 * i * i, 0.3 * i * j * j - 0.2 * i * i;
+    for (int i = 0; i <= m; ++i)
+      cage.vertices.row(j * (m + 1) + i) << i, j + 0.1 * i * i, 0.3 * i * j * j - 0.2 * i * i;
   }
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < m; ++i) {
