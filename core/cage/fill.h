@@ -55,8 +55,8 @@ struct FilledCage {
   bool refined = false;  ///< whether one Catmull-Clark step of the whole cage came first; see refine.h
 };
 
-/// The longest loop that is filled.
-inline constexpr int kLongestFilledLoop = 1000;
+/// The longest loop that is filled; its 2701 vertices take a second or two.
+inline constexpr int kLongestFilledLoop = 200;
 
 /// `cage` must have passed `validate`. Faces marked as holes that touch a filled loop, directly or by others, are taken
 /// out, and so are vertices that no other face uses. What is not filled keeps its groups. Errors name the loop, and

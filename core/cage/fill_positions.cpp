@@ -82,7 +82,7 @@ double square(const std::vector<Vector3>& x) {
 
 /// Conjugate gradients on the normal equations.
 void solve(const LeastSquares& problem, std::vector<Vector3>& x) {
-  constexpr int kMostIterations = 3000;  // as many as a loop of 200 needs; longer ones keep more of the first guess
+  constexpr int kMostIterations = 3000;  // a limit for the longest loops
   constexpr double kTolerance = 1e-15;
   std::vector<Vector3> residual = problem.residuals(x);
   std::vector<Vector3> gradient = problem.transposed_times(residual, x.size());
