@@ -106,6 +106,21 @@ TEST(Text, of_a_problem_reads_back_as_the_same_problem) {
   }
 }
 
+TEST(Text, of_a_generated_cage_shows_what_applies_to_it_with_the_segments_that_it_takes) {
+  const auto text = [](const GeneratedCage& cage) { return problem_text(Problem{.cage = cage}); };
+  const auto shows = [&](const GeneratedCage& cage, std::string_view members) {
+    return text(cage).find(members) != std::string::npos;
+  };
+  EXPECT_TRUE(shows({"torus", {}}, R"({"generator":"torus","thickness":1,"ratio":0.5,"segments":[6,8]})"));
+  EXPECT_TRUE(shows({"disk", {}}, R"({"generator":"disk","segments":[32,3],"radius":1})"));
+  EXPECT_TRUE(shows({"cylinder", {}}, R"({"generator":"cylinder","segments":[32,10],"radius":1,"height":2})"));
+  EXPECT_TRUE(shows({"catenoid", {}}, R"({"generator":"catenoid","segments":[32,8],"height":2,"waist":1})"));
+  EXPECT_TRUE(shows({"spherical-cap", {.half_angle = 150}},
+                    R"({"generator":"spherical-cap","segments":[32,9],"radius":1,"half_angle":150})"));
+  EXPECT_TRUE(shows({"n-sided", {.sides = 7}}, R"({"generator":"n-sided","segments":[8,4],"radius":1,"sides":7})"));
+  EXPECT_FALSE(shows({"cube", {}}, "segments"));
+}
+
 TEST(Text, of_a_report_reads_back_as_the_same_report) {
   const std::string text = report_text(full_report());
   const Result<Report> again = parse_report(text);
