@@ -15,6 +15,7 @@ namespace umbilic {
 struct Cage {
   Points vertices;
   std::vector<std::vector<int>> faces;  ///< corners in cyclic order, zero-based
+  std::vector<int> holes{};             ///< faces that take part in subdivision but carry no surface, sorted
 };
 
 struct CageComponent {
