@@ -62,8 +62,13 @@ std::string input_line(std::string_view name, const CageReport& report) {
   std::string text = fmt::format("{}: {}, {}, {}", name, plural(report.vertices, "vertex", "vertices"),
                                  plural(report.edges, "edge", "edges"), plural(report.faces, "face", "faces"));
   if (report.components.size() > 1) text += fmt::format(", {} components", report.components.size());
-  text += fmt::format(", genus {}\n", report.genus);
+  text += fmt::format(", genus {}", report.genus);
+  if (!report.boundaries.empty()) {
+    text += ", " + plural(static_cast<int>(report.boundaries.size()), "boundary", "boundaries");
+  }
+  text += '\n';
   for (const std::string& repair : report.repairs) text += fmt::format("repaired: {}\n", repair);
+  for (const std::string& note : report.notes) text += fmt::format("note: {}\n", note);
   return text;
 }
 

@@ -14,6 +14,7 @@
 
 #include "base/types.h"
 #include "cage/generate.h"
+#include "problem/constraints.h"
 #include "problem/members.h"
 #include "problem/options.h"
 
@@ -68,14 +69,8 @@ struct CagePath {
 
 using CageInput = std::variant<GeneratedCage, CageText, CagePath>;
 
-/// What the surface must keep besides its symmetry. Empty so far.
-struct Constraints {
-  template <class Visit, class Self>
-  static void members(Visit&&, Self&) {}
-};
-
 /// A surface of a run in compact form: the control mesh `level` Catmull-Clark steps from the cage, given by the points
-/// of the first vertex of each orbit of the symmetry that the run keeps. See driver/symmetric_cage.h.
+/// of the first vertex of each orbit of the symmetry that the run keeps. See driver/surface_state.h.
 struct SurfaceState {
   int level = 0;
   Points points;
@@ -103,7 +98,7 @@ struct Problem {
   static void members(Visit&& visit, Self& self) {
     visit.required("cage", self.cage, "The cage: generated, or the text of a file");
     visit.required("terms", self.options.weights, "Weights of the functionals whose sum is minimized, 0 unless given");
-    visit("constraints", self.constraints, "There are none yet");
+    visit("constraints", self.constraints, "What the surface keeps besides its topology");
     visit("options", self.options, "How the sum is minimized");
     visit("start", self.start, "Where the run goes on, instead of beginning with the cage");
   }
