@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "driver/gauss_bonnet.h"
@@ -109,14 +110,16 @@ void Level::start() {
 }
 
 void Level::prepare() {
+  std::function<double(const Points&)> turning;
+  if (surface_.mesh().is_open()) turning = [this](const Points& control) { return surface_.turning(control); };
   objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.expected_gaussian(),
-                                                  surface_.start(), surface_.lower_bound());
+                                                  surface_.start(), surface_.lower_bound(), std::move(turning));
   if (!start_energy_) start_energy_ = objective_->start_energy();
   if (!start_is_in_question()) prepare_metric();
 }
 
 bool Level::start_is_in_question() const {
-  return start_.held.empty() && !objective_->start_is_whole() && options_.max_iterations > 0 && !thicker_ &&
+  return start_.held.empty() && !start_.mesh.is_open() && !objective_->start_is_whole() && options_.max_iterations > 0 && !thicker_ &&
          thicknesses_tried_ < kThicknessRatios.size();
 }
 
@@ -274,7 +277,7 @@ std::unique_ptr<Level> Level::with_thicker_start() const {
 LevelReport Level::report(const EnergyReport& energies) const {
   LevelReport report;
   report.level = number();
-  report.patches = surface_.mesh().face_count();
+  report.patches = surface_.mesh().surface_face_count();
   report.unknowns = unknowns_.count();
   report.energy_reported = surface_.objective(energies);
   report.energy = evaluated() ? lbfgs_->best_value() : surface_.energy().evaluate(surface_.start(), nullptr).energy;

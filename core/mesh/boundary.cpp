@@ -32,6 +32,16 @@ int surface_valence(const PolygonMesh& mesh, int v) {
   return count;
 }
 
+int surface_fans(const PolygonMesh& mesh, int v) {
+  if (!mesh.on_surface(v)) return 0;
+  int h = mesh.outgoing(v), leaving = 0;
+  do {
+    leaving += mesh.is_boundary(h);
+    h = mesh.rotate(h);
+  } while (h != mesh.outgoing(v));
+  return leaving == 0 ? 1 : leaving;
+}
+
 std::vector<std::vector<int>> boundary_loops(const PolygonMesh& mesh) {
   std::vector<std::vector<int>> loops;
   if (!mesh.is_open()) return loops;

@@ -19,6 +19,9 @@ int next_on_boundary(const PolygonMesh& mesh, int h);
 /// Number of the surface's faces at the vertex.
 int surface_valence(const PolygonMesh& mesh, int v);
 
+/// Number of fans that the surface's faces form at the vertex; more than one only where holes meet at it.
+int surface_fans(const PolygonMesh& mesh, int v);
+
 /// The boundary's loops, each by the half-edges that have the surface on their left, in the order of the least.
 std::vector<std::vector<int>> boundary_loops(const PolygonMesh& mesh);
 

@@ -41,6 +41,10 @@ Result<int> required_level(const PolygonMesh& mesh) {
   const std::vector<bool> bare = bare_vertices(mesh);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.is_open() && !mesh.on_surface(v)) continue;
+    if (mesh.is_open() && surface_fans(mesh, v) > 1) {
+      return Error{fmt::format("vertex {} joins {} fans of faces with holes between them: not a manifold", v + 1,
+                               surface_fans(mesh, v))};
+    }
     if (!bare.empty() && bare[v]) {
       const int faces = surface_valence(mesh, v);
       if (2 * faces <= kMaxValence) continue;

@@ -262,6 +262,11 @@ TEST(RequiredLevel, of_an_open_cage_is_one_at_least_and_of_one_with_its_ghosts_n
   EXPECT_EQ(required_level(PolygonMesh(holed_cages().at("sheet within a sheet"))).value(), 0);
 }
 
+TEST(RequiredLevel, refuses_a_vertex_at_which_holes_meet) {
+  EXPECT_EQ(required_level(PolygonMesh(with_holes(sheet(4, 4), {5, 10}))).error().message,
+            "vertex 13 joins 2 fans of faces with holes between them: not a manifold");
+}
+
 TEST(RequiredLevel, refuses_a_boundary_vertex_of_more_than_12_faces) {
   EXPECT_TRUE(required_level(PolygonMesh(half_disc(12))).ok());
   EXPECT_EQ(required_level(PolygonMesh(half_disc(13))).error().message,
