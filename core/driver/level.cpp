@@ -119,8 +119,8 @@ void Level::prepare() {
 }
 
 bool Level::start_is_in_question() const {
-  return start_.held.empty() && !start_.mesh.is_open() && !objective_->start_is_whole() && options_.max_iterations > 0 && !thicker_ &&
-         thicknesses_tried_ < kThicknessRatios.size();
+  return start_.held.empty() && !start_.mesh.is_open() && !objective_->start_is_whole() &&
+         options_.max_iterations > 0 && !thicker_ && thicknesses_tried_ < kThicknessRatios.size();
 }
 
 void Level::try_thicker_start() {

@@ -80,8 +80,8 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, co
 RefinedCage refine(RefinedCage cage, int steps) {
   for (; steps > 0; --steps) {
     Refinement finer = catmull_clark(cage.mesh);
-    cage.symmetry = finer.mesh.is_open() ? refined(cage.symmetry, cage.mesh, finer.mesh)
-                                         : refined(cage.symmetry, cage.mesh);
+    cage.symmetry =
+        finer.mesh.is_open() ? refined(cage.symmetry, cage.mesh, finer.mesh) : refined(cage.symmetry, cage.mesh);
     cage.control = (finer.stencil * cage.control).eval();
     if (!cage.held.empty()) {
       cage.held = on_quads(cage.held, cage.mesh, finer.mesh);
@@ -222,8 +222,8 @@ EnergyReport Surface::report(const Points& control) const {
   willmore_alone[kWillmore] = 1;
   report.below_bound = below(lower_bound(), objective(report), report.quadrature_error) ||
                        below(bound_of(willmore_alone), willmore, error);
-  report.embedded =
-      genera_.size() == 1 && !mesh().is_open() && report.resolved && !report.below_bound && willmore + error < kEmbeddedWillmore;
+  report.embedded = genera_.size() == 1 && !mesh().is_open() && report.resolved && !report.below_bound &&
+                    willmore + error < kEmbeddedWillmore;
   return report;
 }
 

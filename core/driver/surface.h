@@ -101,7 +101,9 @@ class Surface {
 
  private:
   double in_own_units(double area) const { return std::ldexp(area, 2 * placement().exponent); }
-  double bound_of(const Weights& weights) const { return mesh().is_open() ? 0 : umbilic::lower_bound(weights, genera_); }
+  double bound_of(const Weights& weights) const {
+    return mesh().is_open() ? 0 : umbilic::lower_bound(weights, genera_);
+  }
   double willmore_by_minimizing_rule(const Points& control, const EnergyValue& value) const;
   /// Integrals by the reporting rule.
   SurfaceIntegrals whole_integrals(const Points& control) const;

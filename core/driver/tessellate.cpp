@@ -180,8 +180,8 @@ class Tessellation {
           mesh_sums_.positions.row(v) += (offset + image.isometry * points[s].position).transpose();
           mesh_sums_.normals.row(v) += side * (image.isometry * points[s].normal).transpose();
           const double kappa1 = points[s].kappa1, kappa2 = points[s].kappa2;
-          mesh_sums_.curvatures.row(v) += turned_over ? Eigen::RowVector2d(-kappa2, -kappa1)
-                                                      : Eigen::RowVector2d(kappa1, kappa2);
+          mesh_sums_.curvatures.row(v) +=
+              turned_over ? Eigen::RowVector2d(-kappa2, -kappa1) : Eigen::RowVector2d(kappa1, kappa2);
           if (i < density_ && j < density_) {
             *quad++ = {v, names_.vertex(h, a + 1, b), names_.vertex(h, a + 1, b + 1), names_.vertex(h, a, b + 1)};
           }

@@ -43,7 +43,8 @@ class Builder {
   }
   /// 2 (V + c T + c^2 E) - P.
   int mirrored(const Fan& fan, double c, int p) {
-    return point({{fan.vertex, 2 - 2 * c * c}, {fan.spokes.front(), c + c * c}, {fan.spokes.back(), c * c - c}, {p, -1}});
+    return point(
+        {{fan.vertex, 2 - 2 * c * c}, {fan.spokes.front(), c + c * c}, {fan.spokes.back(), c * c - c}, {p, -1}});
   }
 
   Ghosts ghosts;
@@ -80,8 +81,8 @@ Ghosts make_ghosts(const PolygonMesh& mesh, const std::vector<bool>& wanted, int
       const Fan& fan = fans[i];
       builder.ghosts.quads.push_back({fans[next].vertex, fan.vertex, spokes[i].front(), spokes[next].back()});
       if (fan.faces() == 1) {
-        const int diagonal = builder.point(
-            {{fan.vertex, 4}, {fan.spokes[0], -2}, {fan.spokes[1], -2}, {fan.diagonals[0], 1}});
+        const int diagonal =
+            builder.point({{fan.vertex, 4}, {fan.spokes[0], -2}, {fan.spokes[1], -2}, {fan.diagonals[0], 1}});
         builder.ghosts.quads.push_back({fan.vertex, spokes[i][1], diagonal, spokes[i][0]});
       }
       for (int j = 2; j < fan.faces(); ++j) {  // the face between the ghost spokes j and j - 1

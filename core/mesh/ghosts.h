@@ -4,11 +4,12 @@
 ///
 /// Let all faces at the boundary be quads. The ghosts at a boundary vertex V with k faces are chosen so that the limit
 /// surface is that of Catmull-Clark with the boundary's rules (a cubic B-spline along the boundary, corners k = 1
-/// interpolated) where that is smooth. With Pa, P1, ..., Pb the surface's spokes at V counterclockwise, Pa and Pb on the
-/// boundary, and Q1, ..., Qk its faces' points opposite V:
+/// interpolated) where that is smooth. With Pa, P1, ..., Pb the surface's spokes at V counterclockwise, Pa and Pb on
+/// the boundary, and Q1, ..., Qk its faces' points opposite V:
 ///   k = 2: one ghost point, 2 V - P1.
 ///   k = 1, a corner: 2 V - Pa, 2 V - Pb, and diagonally 4 V - 2 Pa - 2 Pb + Q1.
-///   k >= 3, where the standard boundary is not smooth: V becomes a vertex of valence 2 k with the spokes mirrored. With
+///   k >= 3, where the standard boundary is not smooth: V becomes a vertex of valence 2 k with the spokes mirrored.
+///   With
 ///     T = (Pa - Pb) / 2, E = (Pa + Pb) / 2 - V and t_j = pi j / k,
 ///       G_j = 2 (V + cos t_j T + cos^2 t_j E) - P_j,
 ///     and the points opposite V of the inner ghosts likewise, from Q_j, with cos t_(j-1/2) / cos(pi / 2k).

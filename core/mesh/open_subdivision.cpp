@@ -79,7 +79,8 @@ class OpenStep {
     }
     constexpr int kWanted = -2;
     for (const int h : kept) {
-      for (int* number : {&of_edge_[mesh_.edge(h)], &of_edge_[mesh_.edge(mesh_.previous(h))], &of_face_[mesh_.face(h)]}) {
+      for (int* number :
+           {&of_edge_[mesh_.edge(h)], &of_edge_[mesh_.edge(mesh_.previous(h))], &of_face_[mesh_.face(h)]}) {
         if (*number < 0) *number = kWanted;
       }
     }

@@ -80,7 +80,8 @@ struct EnergyReport {
     visit("gaussian", self.gaussian, "Integral of the Gaussian curvature");
     visit("quadrature_error", self.quadrature_error, "By how much the reporting and the minimizing rule differ");
     visit("free", self.free, "What is minimized where faces are held: the energies of those that are free");
-    visit("boundary_turning", self.boundary_turning, "How much the boundary of an open surface turns, with its corners");
+    visit("boundary_turning", self.boundary_turning,
+          "How much the boundary of an open surface turns, with its corners");
     visit("resolved", self.resolved, "Whether the Gaussian curvature is what the topology makes it");
     visit("below_bound", self.below_bound, "Whether an energy is below what any closed surface of the genus has");
     visit("embedded", self.embedded, "Whether the Willmore energy proves that the surface does not touch itself");

@@ -15,8 +15,8 @@
 namespace umbilic {
 namespace {
 
-/// Halvings towards an extraordinary vertex, since the characteristic map is a spline between each two. On what is left,
-/// t = 2^-16 s^8: there the map is, roughly, a power of t of 0.6 at least, and one of s that suits Gauss's rule.
+/// Halvings towards an extraordinary vertex, since the characteristic map is a spline between each two. On what is
+/// left, t = 2^-16 s^8: there the map is, roughly, a power of t of 0.6 at least, and one of s that suits Gauss's rule.
 constexpr int kHalvings = 16;
 constexpr int kPower = 8;
 
@@ -46,7 +46,8 @@ class Turning {
 
   double sum() {
     double sum = 0;
-    for (const std::vector<int>& loop : boundary_loops(mesh_)) sum += std::numbers::pi * static_cast<double>(loop.size());
+    for (const std::vector<int>& loop : boundary_loops(mesh_))
+      sum += std::numbers::pi * static_cast<double>(loop.size());
     for (const PatchSet& set : layout_.sets()) {
       for (int p = 0; p < set.count(); ++p) sum += set.multiplicities[p] * of_patch(set, p);
     }
@@ -69,11 +70,13 @@ class Turning {
 
   /// The patch's angle at a corner.
   double corner_angle(const PatchSet& set, int patch, int corner) {
-    if (corner == 0 && set.kind.at_extraordinary()) return extraordinary_angle(layout_.caps()[set.caps[patch]], set, patch);
+    if (corner == 0 && set.kind.at_extraordinary())
+      return extraordinary_angle(layout_.caps()[set.caps[patch]], set, patch);
     const double u = corner == 1 || corner == 2 ? 1 : 0, v = corner >= 2 ? 1 : 0;
     const auto jet = derivatives(set, patch, {corner, -1, 0}, u, v);
     // Along the sides that leave the corner, u and v point into the patch or out of it.
-    const Vector3 along_u = jet.row(1).transpose() * (u > 0 ? -1 : 1), along_v = jet.row(2).transpose() * (v > 0 ? -1 : 1);
+    const Vector3 along_u = jet.row(1).transpose() * (u > 0 ? -1 : 1),
+                  along_v = jet.row(2).transpose() * (v > 0 ? -1 : 1);
     return angle_between(along_u, along_v);
   }
 
@@ -104,7 +107,8 @@ class Turning {
 
   /// The integral of the geodesic curvature along the side that starts at the corner.
   double edge(const PatchSet& set, int patch, int corner) {
-    const bool at_start = set.kind.at_extraordinary() && corner == 0, at_end = set.kind.at_extraordinary() && corner == 3;
+    const bool at_start = set.kind.at_extraordinary() && corner == 0,
+               at_end = set.kind.at_extraordinary() && corner == 3;
     double sum = 0;
     int number = 0;
     for (const auto& [t, weight] : edge_samples(rule_, at_start || at_end)) {
@@ -116,15 +120,16 @@ class Turning {
       const double direction = corner < 2 ? 1 : -1;
       const bool along_u = corner % 2 == 0;
       const Vector3 normal = Vector3(jet.row(1)).cross(Vector3(jet.row(2))).normalized();
-      const Vector3 first = direction * jet.row(along_u ? 1 : 2).transpose(), second = jet.row(along_u ? 3 : 5).transpose();
+      const Vector3 first = direction * jet.row(along_u ? 1 : 2).transpose(),
+                    second = jet.row(along_u ? 3 : 5).transpose();
       sum += weight * normal.dot(first.cross(second)) / first.squaredNorm();
     }
     return sum;
   }
 
   /// Position and derivatives of order up to 2 of a patch. `key` names the place for patches of one kind.
-  Eigen::Matrix<double, 6, 3> derivatives(const PatchSet& set, int patch, const std::tuple<int, int, int>& key, double u,
-                                          double v) {
+  Eigen::Matrix<double, 6, 3> derivatives(const PatchSet& set, int patch, const std::tuple<int, int, int>& key,
+                                          double u, double v) {
     auto [found, is_new] = bases_.try_emplace({set.kind, key});
     if (is_new) found->second = patch_basis(set.kind, u, v).topRows(6);
     const int* const local = set.points_of(patch);

@@ -81,9 +81,9 @@ class CapSector {
 
   /// The coefficients of Q in the sector's own coordinates as a linear function of the net, coefficients x net size:
   /// the least-squares fit to S, weighted by |grad b|^2, over the second ring (over the only ring of a one-ring cap).
-  /// Farther out S has control points of its own, which can make up for errors of Q. Only the sectors that carry surface
-  /// are fitted: in the others S would depend on more ghosts than there are. The fit is invariant under the mirror that
-  /// exchanges the first of them with the last.
+  /// Farther out S has control points of its own, which can make up for errors of Q. Only the sectors that carry
+  /// surface are fitted: in the others S would depend on more ghosts than there are. The fit is invariant under the
+  /// mirror that exchanges the first of them with the last.
   const Eigen::MatrixXd& fit() const { return fit_; }
   /// The nonzero columns of `fit`, sorted.
   const std::vector<int>& fit_support() const { return fit_support_; }

@@ -60,8 +60,8 @@ std::vector<int> gather_net(const PolygonMesh& mesh, int vertex, const RingNet& 
   return points;
 }
 
-/// The same for a vertex on the boundary, whose first `sectors` sectors carry surface: the points of the first ring, and
-/// the points around the faces of these sectors, which all exist, for the faces' corners have their ghosts.
+/// The same for a vertex on the boundary, whose first `sectors` sectors carry surface: the points of the first ring,
+/// and the points around the faces of these sectors, which all exist, for the faces' corners have their ghosts.
 std::vector<int> gather_boundary_net(const PolygonMesh& mesh, int vertex, const RingNet& net, int sectors) {
   std::vector<int> points(net.size(), -1);
   points[0] = vertex;

@@ -50,8 +50,8 @@ class PatchLayout {
  public:
   /// `mesh` must be evaluable (mesh/hierarchy.h). Each smooth cap takes four rings, else two, else one: the widest cap
   /// whose faces no other cap of that width would use, and whose faces are all held or all free. Only faces of the
-  /// surface get patches. A cap may not reach over the boundary; at an extraordinary vertex on the boundary it takes one
-  /// ring of the surface.
+  /// surface get patches. A cap may not reach over the boundary; at an extraordinary vertex on the boundary it takes
+  /// one ring of the surface.
   PatchLayout(const PolygonMesh& mesh, CapKind cap);
   /// Keeps only one patch of each orbit of faces, with the size of the orbit as its multiplicity, and only the caps of
   /// those patches. `held` tells of each face whether it is held, or is empty; orbits are held as a whole.

@@ -71,7 +71,8 @@ TEST(OpenTessellation, keeps_one_side_where_a_symmetry_exchanges_both) {
     const double x = v % 3 - 1, y = v / 3 - 1;
     cage.vertices.row(v) << x, y, 0.3 * (x * x - y * y) + 0.01 * (x * x * x - y * y * y);
   }
-  const RefinedCage part = refine_to_evaluable(cage, 1, true).value(), all = refine_to_evaluable(cage, 1, false).value();
+  const RefinedCage part = refine_to_evaluable(cage, 1, true).value(),
+                    all = refine_to_evaluable(cage, 1, false).value();
   EXPECT_GT(part.symmetry.order, 1);
   const PatchLayout some(part.mesh, CapKind::kSmooth, face_orbits(part.mesh, part.symmetry));
   const PatchLayout each(all.mesh, CapKind::kSmooth);

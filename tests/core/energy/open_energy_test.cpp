@@ -106,8 +106,8 @@ TEST(OpenEnergy, of_a_flat_polygon_turns_by_its_corners) {
 }
 
 TEST(OpenEnergy, gradient_equals_difference_quotients_by_all_control_points_ghosts_too) {
-  for (const std::string name : {"sheet", "tube", "open cube", "disc of 7", "fan of 3", "fan of 6", "L", "hexagon",
-                                 "prism without an end"}) {
+  for (const std::string name :
+       {"sheet", "tube", "open cube", "disc of 7", "fan of 3", "fan of 6", "L", "hexagon", "prism without an end"}) {
     SCOPED_TRACE(name);
     Refined mesh = evaluable(all_open_cages().at(name));
     const double size = mesh.control.rowwise().norm().maxCoeff();
@@ -138,8 +138,11 @@ Cage arched(Cage cage) {
 }
 
 TEST(OpenEnergy, by_one_patch_for_each_orbit_equals_that_by_all) {
-  std::map<std::string, Cage> cages{{"tube", tube(6, 2)},         {"half disc", arched(half_disc(4))}, {"disc", arched(disc(5))},
-                                    {"open cube", without(cube(), {0})}, {"hexagon", polygon(6)},
+  std::map<std::string, Cage> cages{{"tube", tube(6, 2)},
+                                    {"half disc", arched(half_disc(4))},
+                                    {"disc", arched(disc(5))},
+                                    {"open cube", without(cube(), {0})},
+                                    {"hexagon", polygon(6)},
                                     {"holed cube", with_holes(cube(), {0, 1})},
                                     {"two", joined(tube(4, 1), tube(4, 1))}};
   for (const auto& [name, cage] : cages) {

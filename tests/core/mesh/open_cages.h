@@ -120,11 +120,19 @@ inline Cage with_holes(Cage cage, std::vector<int> holes) {
 
 /// Cages whose boundary has corners and regular vertices only, where the limit is the standard surface.
 inline std::map<std::string, Cage> tame_open_cages() {
-  return {{"sheet", sheet(3, 4)},        {"quad", sheet(1, 1)},        {"strip, corners adjacent", sheet(1, 5)},
-          {"tube", tube(5, 3)},          {"loops one edge apart", tube(4, 1)}, {"triangular loops", tube(3, 1)},
-          {"disc of 3", disc(3)},        {"disc of 7", disc(7)},       {"triangle", polygon(3)},
-          {"hexagon", polygon(6)},       {"open cube", without(cube(), {0})},
-          {"two components", joined(disc(5), tube(6, 2))},             {"one open", joined(cube(), disc(3))},
+  return {{"sheet", sheet(3, 4)},
+          {"quad", sheet(1, 1)},
+          {"strip, corners adjacent", sheet(1, 5)},
+          {"tube", tube(5, 3)},
+          {"loops one edge apart", tube(4, 1)},
+          {"triangular loops", tube(3, 1)},
+          {"disc of 3", disc(3)},
+          {"disc of 7", disc(7)},
+          {"triangle", polygon(3)},
+          {"hexagon", polygon(6)},
+          {"open cube", without(cube(), {0})},
+          {"two components", joined(disc(5), tube(6, 2))},
+          {"one open", joined(cube(), disc(3))},
           {"open prism", without(prism(5), {0})}};
 }
 

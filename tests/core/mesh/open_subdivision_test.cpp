@@ -77,7 +77,8 @@ Cage naive_open_step(const Cage& cage) {
     const std::size_t size = face.size();
     for (std::size_t i = 0; i < size; ++i) {
       result.faces.push_back({face[i], number[std::minmax(face[i], face[(i + 1) % size])],
-                              static_cast<int>(points.size()), number[std::minmax(face[i], face[(i + size - 1) % size])]});
+                              static_cast<int>(points.size()),
+                              number[std::minmax(face[i], face[(i + size - 1) % size])]});
     }
     points.push_back(face_points[f]);
   }
@@ -250,7 +251,8 @@ TEST(OpenStep, of_a_holed_cage_is_the_step_of_the_closed_one_on_the_surface) {
     };
     for (int v = 0; v < closed.mesh.vertex_count(); ++v) points.insert(key(closed.control, v));
     int matched = 0;
-    for (int v = 0; v < holed.mesh.vertex_count(); ++v) matched += static_cast<int>(points.count(key(holed.control, v)));
+    for (int v = 0; v < holed.mesh.vertex_count(); ++v)
+      matched += static_cast<int>(points.count(key(holed.control, v)));
     EXPECT_GE(matched, holed.mesh.vertex_count() - 1);  // one may round the other way
   }
 }

@@ -152,8 +152,8 @@ TEST(OpenLimit, is_the_same_at_every_level_with_ghosts_moved_at_random) {
 }
 
 TEST(OpenCap, keeps_what_it_is_fitted_to_where_the_surface_is_flat) {
-  // Q is exact for linear functions of the characteristic map, so that a flat fan stays flat, and a fan in a plane whose
-  // net is the characteristic one is the plane itself.
+  // Q is exact for linear functions of the characteristic map, so that a flat fan stays flat, and a fan in a plane
+  // whose net is the characteristic one is the plane itself.
   for (int k = 3; k <= 8; ++k) {
     const CapSector& sector = cap_sector(2 * k, CapShape::kOneRing, k);
     Eigen::Matrix<double, Eigen::Dynamic, 2> net = sector.net().characteristic_net();
@@ -182,8 +182,9 @@ TEST(OpenCap, is_invariant_under_the_mirror_of_its_sectors) {
     const double c = std::cos(std::numbers::pi / k), s = std::sin(std::numbers::pi / k);
     for (const auto& [x, y] : {std::pair{0.3, 0.1}, {0.5, 0.4}, {-0.2, 0.6}}) {
       const auto value = [&](const Points& p, double X, double Y) {
-        return Vector3((p.row(0) + X * p.row(1) + Y * p.row(2) + X * X * p.row(3) + X * Y * p.row(4) + Y * Y * p.row(5) +
-                        X * X * X * p.row(6) + X * X * Y * p.row(7) + X * Y * Y * p.row(8) + Y * Y * Y * p.row(9))
+        return Vector3((p.row(0) + X * p.row(1) + Y * p.row(2) + X * X * p.row(3) + X * Y * p.row(4) +
+                        Y * Y * p.row(5) + X * X * X * p.row(6) + X * X * Y * p.row(7) + X * Y * Y * p.row(8) +
+                        Y * Y * Y * p.row(9))
                            .transpose());
       };
       EXPECT_LT((value(q, x, y) - value(r, c * x + s * y, s * x - c * y)).norm(), 1e-11);
