@@ -50,7 +50,9 @@ umbilic_status umbilic_cage_names(umbilic_text* names) {
   return guarded([&] {
     if (!all_given(names)) return UMBILIC_BAD_ARGUMENT;
     std::vector<std::string> all;
-    for (const CageName& cage : cage_names()) all.push_back(cage.name);
+    for (const CageName& cage : cage_names()) {
+      if (!cage.open) all.push_back(cage.name);
+    }
     return answer(json_text(all), names);
   });
 }

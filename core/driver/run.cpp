@@ -176,7 +176,8 @@ double own_area(const RefinedCage& cage, int required, CapKind cap) {
 Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Constraints& constraints,
                         const std::optional<SurfaceState>& start) {
   Error error;
-  if (!in_range(options, error) || (start && !in_range(*start, error))) return error;
+  if (!in_range(options, error)) return error;
+  if (start && !in_range(*start, error)) return Error{"start." + error.message};
   if (const auto open = refuse_open(cage)) return *open;
   Result<RefinedCage> prepared =
       prepare(cage, std::max(options.last_level, start ? start->level : 0), options.symmetry || start, constraints);

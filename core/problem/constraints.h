@@ -6,10 +6,12 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "base/result.h"
 #include "problem/members.h"
+#include "problem/pin.h"
 
 namespace umbilic {
 
@@ -31,14 +33,16 @@ struct FaceSelection {
 struct Constraints {
   std::optional<FaceSelection> hold;  ///< the faces that are held
   std::optional<FaceSelection> free;  ///< the faces that are not; all others are held
+  std::vector<Pin> pins;              ///< points and normals that are held
 
   bool holds_faces() const { return hold || free; }
-  bool any() const { return holds_faces(); }
+  bool any() const { return holds_faces() || !pins.empty(); }
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("hold", self.hold, "Faces whose surface stays as it is in the cage");
     visit("free", self.free, "The only faces whose surface may move; not together with hold");
+    if (!std::is_const_v<Self> || !self.pins.empty()) visit("pins", self.pins, "Points and normals that are held");
   }
 };
 
