@@ -182,6 +182,7 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
   Error error;
   if (!in_range(options, error)) return error;
   if (start && !in_range(*start, error)) return Error{"start." + error.message};
+  if (const auto open = refuse_open(cage)) return *open;
   Result<RefinedCage> prepared =
       prepare(cage, std::max(options.last_level, start ? start->level : 0), options.symmetry || start, constraints);
   if (!prepared) return prepared.error();
@@ -243,7 +244,7 @@ void Run::cancel() {
 }
 
 const Progress& Run::progress() const { return state_->progress; }
-int Run::patches() const { return state_->level->surface().mesh().face_count(); }
+int Run::patches() const { return state_->level->surface().mesh().surface_face_count(); }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
 const LevelReport& Run::result() const { return state_->levels[state_->result]; }
 const EnergyReport& Run::energies() const { return state_->written_energies(); }
