@@ -79,7 +79,7 @@ struct Run::State {
   /// Of the surface as it is written.
   const EnergyReport& written_energies() const {
     const EnergyReport& exact = report_energies();
-    if (level->surface().placement().is_centred()) return exact;
+    if (level->surface().placement().is_centred() || level->surface().mesh().is_open()) return exact;
     if (!written) {
       const Result<EvaluationReport> evaluation = evaluate(control_mesh(), options.cap, 0);
       written = evaluation ? evaluation->energies : exact;
@@ -170,6 +170,7 @@ double own_area(const RefinedCage& cage, int required, CapKind cap) {
   own.control = own.own;
   own.held.clear();
   own.pins.clear();
+  own.boundary.clear();
   const RefinedCage refined = refine(std::move(own), required);
   const PatchLayout layout(refined.mesh, cap, face_orbits(refined.mesh, refined.symmetry));
   return surface_integrals(JetEvaluator(layout, reporting_rule(cap)), refined.control).area;
@@ -182,7 +183,6 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
   Error error;
   if (!in_range(options, error)) return error;
   if (start && !in_range(*start, error)) return Error{"start." + error.message};
-  if (const auto open = refuse_open(cage)) return *open;
   Result<RefinedCage> prepared =
       prepare(cage, std::max(options.last_level, start ? start->level : 0), options.symmetry || start, constraints);
   if (!prepared) return prepared.error();

@@ -26,11 +26,6 @@ double faces_after(const PolygonMesh& cage, int steps) {
   return steps == 0 ? cage.surface_face_count() : cage.surface_halfedge_count() * std::pow(4.0, steps - 1);
 }
 
-std::optional<Error> refuse_open(const Cage& cage) {
-  if (cage.open.empty()) return std::nullopt;
-  return Error{cage.open};
-}
-
 namespace {
 
 /// Of each face of the mesh, from what is known of each face of the cage.
@@ -74,10 +69,13 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, co
     Result<std::vector<HeldPoint>> pins = hold(constraints.pins, result);
     if (!pins) return pins.error();
     result.pins = std::move(pins).value();
-    if (!result.held.empty() || !result.pins.empty()) result.own = result.control;
   }
+  auto boundary = boundary_conditions(constraints.boundary.value_or(BoundaryConditions()), mesh);
+  if (!boundary) return boundary.error();
+  result.boundary = std::move(boundary).value();
+  if (!result.held.empty() || !result.pins.empty() || !result.boundary.empty()) result.own = result.control;
   if (result.is_constrained()) {
-    const HeldFaces held_part(result.held, mesh, result.own);
+    const HeldFaces held_part(result.held, result.boundary, mesh, result.own);
     const Vector3 center = result.symmetry.center;
     result.symmetry = subgroup(result.symmetry, mesh, [&](const Symmetry& element) {
       return held_part.kept_by(element, center) && keeps(element, center, result.pins, mesh);
@@ -99,6 +97,7 @@ RefinedCage refine(RefinedCage cage, int steps) {
       cage.held = on_quads(cage.held, cage.mesh, finer.mesh);
     }
     cage.pins = refined(std::move(cage.pins), cage.mesh);
+    cage.boundary = refined(cage.boundary, cage.mesh, finer.mesh);
     cage.mesh = std::move(finer.mesh);
     ++cage.level;
   }
@@ -205,7 +204,7 @@ EnergyReport Surface::report(const Points& control) const {
   report.functionals = whole.functionals;
   report.area = in_own_units(whole.area);
   report.gaussian = whole.gaussian;
-  if (whole_) {
+  if (whole_ || fixed_area_) {
     report.free.emplace();
     report.free->functionals = free.functionals;
     report.free->area = in_own_units(free.area);

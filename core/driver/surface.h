@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cage/placement.h"
+#include "driver/boundary_rows.h"
 #include "driver/held_point.h"
 #include "driver/rules.h"
 #include "energy/lower_bounds.h"
@@ -29,7 +30,10 @@ struct RefinedCage {
   Placement placement{};     ///< from unit coordinates back to the cage's own
   std::vector<bool> held{};  ///< of each face: whether the surface over it stays; empty if all are free
   std::vector<HeldPoint> pins{};
-  /// Where something is held: the control points of the cage's own surface, its pure subdivision; else empty.
+  std::vector<BoundaryCondition>
+      boundary{};  ///< at each half-edge of the surface, see boundary_rows.h; empty if closed
+  /// Where something is held, or there is a boundary: the control points of the cage's own surface, its pure
+  /// subdivision; else empty.
   Points own{};
 
   bool is_constrained() const { return own.size() > 0; }
@@ -39,9 +43,6 @@ inline constexpr int kMaxFaces = 2'000'000;
 
 /// Of a cage after so many Catmull-Clark steps; a double, which does not overflow.
 double faces_after(const PolygonMesh& cage, int steps);
-
-/// Refuses open cages, as long as runs have no boundary conditions. Empty for a closed cage.
-std::optional<Error> refuse_open(const Cage& cage);
 
 /// The cage at level 0 with its symmetry group (C1 unless `symmetric`); its points are made exactly symmetric, except
 /// those that held faces depend on. Of the symmetry, that part is left which keeps what is held. Fails as

@@ -20,7 +20,8 @@ TEST(OpenEvaluation, sees_all_curvature_of_every_open_cage) {
   for (auto cages : {tame_open_cages(), wild_open_cages(), holed_cages()}) {
     for (const auto& [name, cage] : cages) {
       SCOPED_TRACE(name);
-      const bool every_cap = name == "fan of 3" || name == "L" || name == "tube";  // tables of a valence take their time
+      const bool every_cap =
+          name == "fan of 3" || name == "L" || name == "tube";  // tables of a valence take their time
       for (const CapKind cap : {CapKind::kSmooth, CapKind::kFlat, CapKind::kNone}) {
         if (cap != CapKind::kSmooth && !every_cap) continue;
         const Result<EvaluationReport> report = evaluate(cage, cap, 1);
