@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cassert>
-#include <iterator>
 
 namespace umbilic {
 
@@ -14,7 +13,7 @@ namespace {
 
 void append_rows(std::string& out, const char* keyword, const Points& rows) {
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    fmt::format_to(std::back_inserter(out), "{} {} {} {}\n", keyword, rows(i, 0), rows(i, 1), rows(i, 2));
+    out += fmt::format("{} {} {} {}\n", keyword, rows(i, 0), rows(i, 1), rows(i, 2));
   }
 }
 
@@ -25,7 +24,7 @@ std::string write_obj(const Cage& cage) {
   append_rows(out, "v", cage.vertices);
   for (const std::vector<int>& face : cage.faces) {
     out += 'f';
-    for (const int vertex : face) fmt::format_to(std::back_inserter(out), " {}", vertex + 1);
+    for (const int vertex : face) out += fmt::format(" {}", vertex + 1);
     out += '\n';
   }
   return out;
@@ -38,7 +37,7 @@ std::string write_obj(const Points& positions, const Points& normals, const std:
   append_rows(out, "vn", normals);
   for (const std::array<int, 4>& quad : quads) {
     out += 'f';
-    for (const int vertex : quad) fmt::format_to(std::back_inserter(out), " {0}//{0}", vertex + 1);
+    for (const int vertex : quad) out += fmt::format(" {0}//{0}", vertex + 1);
     out += '\n';
   }
   return out;
