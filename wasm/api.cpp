@@ -10,6 +10,7 @@
 
 #include "cage/generate.h"
 #include "cage/write.h"
+#include "driver/surface.h"
 #include "energy/torus.h"
 #include "problem/cage_of.h"
 #include "problem/json_node.h"
@@ -49,7 +50,9 @@ umbilic_status umbilic_cage_names(umbilic_text* names) {
   return guarded([&] {
     if (!all_given(names)) return UMBILIC_BAD_ARGUMENT;
     std::vector<std::string> all;
-    for (const CageName& cage : cage_names()) all.push_back(cage.name);
+    for (const CageName& cage : cage_names()) {
+      if (!cage.open) all.push_back(cage.name);
+    }
     return answer(json_text(all), names);
   });
 }
@@ -85,6 +88,7 @@ umbilic_status umbilic_cage_counts(const umbilic_cage* cage, umbilic_text* count
 umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out) {
   return guarded([&] {
     if (!all_given(cage, out)) return UMBILIC_BAD_ARGUMENT;
+    if (const auto open = refuse_open(cage->cage)) return fail(*open);
     hand_out(cage->cage, out);
     return UMBILIC_OK;
   });

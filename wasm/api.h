@@ -84,10 +84,10 @@ umbilic_status umbilic_cage_create(const char* cage, size_t length, umbilic_cage
 /** Like all functions that destroy, does nothing if the handle is null. */
 void umbilic_cage_destroy(umbilic_cage* cage);
 
-/** A report's "cage": numbers of vertices, edges and faces, genus, components. */
+/** A report's "cage": numbers of vertices, edges and faces, genus, components, boundary loops, groups of faces. */
 umbilic_status umbilic_cage_counts(const umbilic_cage* cage, umbilic_text* counts);
 
-/** The polygons of the cage. */
+/** The polygons of a closed cage; an open one is refused. */
 umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out);
 
 /* ---- tori of revolution, in closed form ---- */

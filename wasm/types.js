@@ -134,9 +134,16 @@
  */
 
 /**
- * @typedef {{vertices: number, edges: number, faces: number, genus: number}} CageComponent
- * `repairs` has a sentence for all that was changed when the cage was read.
- * @typedef {CageComponent & {components: CageComponent[], repairs: string[]}} CageReport
+ * @typedef {{vertices: number, edges: number, faces: number, genus: number}} CageCounts
+ * `boundaries` is the number of its boundary loops.
+ * @typedef {CageCounts & {boundaries: number}} CageComponent
+ * A boundary loop. `number` and `component` count from 1; `first_vertex` is the first of its vertices in the file, numbered as
+ * there.
+ * @typedef {{number: number, vertices: number, first_vertex: number, component: number}} CageBoundary
+ * `repairs` has a sentence for all that was changed when the cage was read, `notes` for what was ignored or is likely to be
+ * a mistake.
+ * @typedef {CageCounts & {components: CageComponent[], boundaries: CageBoundary[], groups: {name: string, faces: number}[],
+ *   repairs: string[], notes: string[]}} CageReport
  */
 
 /**

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// A control cage as given by a user: a closed, orientable polygon mesh with faces of any size. Also its validation and
-/// its counts.
+/// A control cage as given by a user: an orientable polygon mesh, closed or with boundaries, with faces of any size and
+/// named groups of faces. Also its validation.
 #pragma once
 
 #include <string>
@@ -9,47 +9,26 @@
 
 #include "base/result.h"
 #include "base/types.h"
+#include "cage/cage_report.h"
 
 namespace umbilic {
 
+/// Faces that a user calls by one name. A face may be in several groups.
+struct FaceGroup {
+  std::string name;        ///< without blanks, control characters and '#', so that an OBJ file can hold it
+  std::vector<int> faces;  ///< zero-based, ascending, at least one
+};
+
 struct Cage {
-  Points vertices;
-  std::vector<std::vector<int>> faces;  ///< corners in cyclic order, zero-based
-};
-
-struct CageComponent {
-  int vertices = 0;
-  int edges = 0;
-  int faces = 0;
-  int genus = 0;
-
-  /// Visits each member by name, for the text form of reports; see problem/members.h.
-  template <class Visit, class Self>
-  static void members(Visit&& visit, Self& self) {
-    visit("vertices", self.vertices, "Number of vertices");
-    visit("edges", self.edges, "Number of edges");
-    visit("faces", self.faces, "Number of faces");
-    visit("genus", self.genus, "Number of tunnels");
-  }
-};
-
-struct CageReport {
-  int vertices = 0;
-  int edges = 0;
-  int faces = 0;
-  int genus = 0;                          ///< sum over components
-  std::vector<CageComponent> components;  ///< in the order of their first face
-  std::vector<std::string> repairs;       ///< what validation changed, a sentence without a final period each
-
-  template <class Visit, class Self>
-  static void members(Visit&& visit, Self& self) {
-    visit("vertices", self.vertices, "Number of vertices");
-    visit("edges", self.edges, "Number of edges");
-    visit("faces", self.faces, "Number of faces");
-    visit("genus", self.genus, "Sum over the components");
-    visit("components", self.components, "In the order of their first face");
-    visit("repairs", self.repairs, "What had to be changed of the cage as it was given, a sentence each");
-  }
+  Points vertices{};
+  std::vector<std::vector<int>> faces{};  ///< corners in cyclic order, zero-based
+  std::vector<FaceGroup> groups{};        ///< in the order of their first faces
+  /// Of an open cage the sentence that refuses it, with the line of its first open edge; set by `validate`. It is here
+  /// only as long as meshes must be closed; see `refuse_open` in driver/surface.h.
+  std::string open{};
+  /// The faces that are holes, ascending: they take part in subdivision, as the others do, but the surface has no
+  /// points over them. A ring of them beyond a boundary says how the surface meets it.
+  std::vector<int> holes{};
 };
 
 /// Where a cage's elements are in the text from which it was read, for messages; empty if it was not read.
@@ -59,12 +38,16 @@ struct CageSource {
   int first_index = 1;            ///< the index of the first vertex in the text
 };
 
-/// Checks that the cage is a closed, edge- and vertex-manifold, orientable surface with finite vertices, every index in
-/// range, at least three vertices in a face and none twice, and at least one face, and that no component's vertices lie
-/// in one point or on one line and no component's faces are without area. Then turns the faces of each component to one
-/// orientation that encloses positive volume (or, where the volume vanishes, to that of most of its faces), and drops
-/// the vertices that no face uses, because the surface does not depend on them; the others keep their order. What it
-/// turns or drops the report says. The cage is unchanged when there is an error. A validated cage validates unchanged.
+/// Checks that the cage is an edge- and vertex-manifold, orientable surface, closed or with boundary loops, with finite
+/// vertices, every index in range, at least three vertices in a face and none twice, and at least one face, and that no
+/// component's vertices lie in one point or on one line and no component's faces are without area. A vertex belongs to
+/// one boundary loop at most, since it joins a single fan of faces.
+///
+/// Then turns the faces of each component to one orientation: that which encloses positive volume where the component
+/// is closed; that of most of its faces where it has a boundary, because it encloses nothing, or where the volume
+/// vanishes. Drops the vertices that no face uses, because the surface does not depend on them; the others keep their
+/// order, and so do all faces. What it turns or drops the report says. The cage is unchanged when there is an error. A
+/// validated cage validates unchanged.
 ///
 /// Errors name the vertex, edge or face, and its line if `source` has it. Vertices are numbered as in the text, faces
 /// from 1.

@@ -21,7 +21,7 @@ struct ComponentSize {
   bool coincident = false;  ///< all vertices in one point
   double width = 0;         ///< largest distance of a vertex from the line through the two that are farthest apart
   double area = 0;
-  double volume = 0;  ///< signed, as `Orientation` makes the faces agree
+  double volume = 0;  ///< signed, as `Orientation` makes the faces agree; means nothing where there is a boundary
 
   bool is_line() const { return width <= rounding; }
   bool is_without_area() const { return area <= rounding; }

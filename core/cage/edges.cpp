@@ -55,12 +55,32 @@ std::vector<EdgeUse> edge_uses(const Cage& cage) {
   return uses;
 }
 
+std::vector<int> opposite_uses(const std::vector<EdgeUse>& uses) {
+  std::vector<int> opposite(uses.size(), -1);
+  for (std::size_t i = 0; i + 1 < uses.size(); ++i) {
+    if (!same_edge(uses[i], uses[i + 1])) continue;
+    assert(opposite[i] < 0);
+    opposite[i] = static_cast<int>(i + 1);
+    opposite[i + 1] = static_cast<int>(i);
+  }
+  return opposite;
+}
+
+std::vector<EdgeUse> open_uses(const std::vector<EdgeUse>& uses) {
+  const std::vector<int> opposite = opposite_uses(uses);
+  std::vector<EdgeUse> open;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (opposite[i] < 0) open.push_back(uses[i]);
+  }
+  return open;
+}
+
 Orientation orient(const Cage& cage, const std::vector<EdgeUse>& uses) {
-  assert(uses.size() % 2 == 0);
+  const std::vector<int> opposite = opposite_uses(uses);
   const std::vector<int> offsets = corner_offsets(cage);
   const auto side = [&](const EdgeUse& use) { return offsets[use.face] + use.corner; };
-  std::vector<std::size_t> use_of_side(uses.size());
-  for (std::size_t i = 0; i < uses.size(); ++i) use_of_side[side(uses[i])] = i;
+  std::vector<int> use_of_side(uses.size());
+  for (std::size_t i = 0; i < uses.size(); ++i) use_of_side[side(uses[i])] = static_cast<int>(i);
 
   Orientation result;
   result.component.assign(cage.faces.size(), -1);
@@ -74,8 +94,9 @@ Orientation orient(const Cage& cage, const std::vector<EdgeUse>& uses) {
       const std::size_t face = pending.back();
       pending.pop_back();
       for (int s = offsets[face]; s < offsets[face + 1]; ++s) {
-        const std::size_t here = use_of_side[s];
-        const EdgeUse& across = uses[here ^ 1];
+        const int here = use_of_side[s];
+        if (opposite[here] < 0) continue;
+        const EdgeUse& across = uses[opposite[here]];
         const int other = across.face;
         const bool flip = result.flipped[face] != (uses[here].forward == across.forward);
         if (result.component[other] < 0) {
@@ -99,8 +120,10 @@ std::vector<int> fan_counts(const Cage& cage, const std::vector<EdgeUse>& uses) 
     return offsets[use.face] + (use.corner + (low == use.forward ? 0 : 1)) % size;
   };
   Partition fans(offsets.back());
-  for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
-    for (const bool low : {true, false}) fans.join(corner_at(uses[i], low), corner_at(uses[i + 1], low));
+  const std::vector<int> opposite = opposite_uses(uses);
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (opposite[i] < static_cast<int>(i)) continue;
+    for (const bool low : {true, false}) fans.join(corner_at(uses[i], low), corner_at(uses[opposite[i]], low));
   }
   std::vector<int> counts(cage.vertices.rows(), 0);
   int corner = 0;

@@ -24,6 +24,13 @@ inline bool same_edge(const EdgeUse& a, const EdgeUse& b) { return a.low == b.lo
 /// repeat a vertex.
 std::vector<EdgeUse> edge_uses(const Cage& cage);
 
+/// Of each use the index of the use on the other side of its edge, or -1 where there is none. No edge may have more
+/// than two uses.
+std::vector<int> opposite_uses(const std::vector<EdgeUse>& uses);
+
+/// The uses of edges that have a face on one side only, in the order of `uses`.
+std::vector<EdgeUse> open_uses(const std::vector<EdgeUse>& uses);
+
 struct Orientation {
   std::vector<int> component;  ///< of each face; components are numbered in the order of their first faces
   std::vector<bool> flipped;   ///< faces to reverse so that neighbours agree; false for the first face of a component
@@ -31,11 +38,12 @@ struct Orientation {
   int conflict = -1;  ///< a face that cannot be oriented consistently with its neighbours, or -1
 };
 
-/// Each edge must have exactly two uses.
+/// No edge may have more than two uses.
 Orientation orient(const Cage& cage, const std::vector<EdgeUse>& uses);
 
 /// Number of fans of faces around each vertex, where faces that share an edge at the vertex belong to the same fan. It
-/// is 1 everywhere on a vertex-manifold, and 0 at unused vertices. Each edge must have exactly two uses.
+/// is 1 everywhere on a vertex-manifold, and 0 at unused vertices. At an open edge a fan ends. No edge may have more
+/// than two uses.
 std::vector<int> fan_counts(const Cage& cage, const std::vector<EdgeUse>& uses);
 
 }  // namespace umbilic

@@ -3,6 +3,10 @@
 /// What the parsers of the formats pass to validation. Callers use `read.h`.
 #pragma once
 
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +19,7 @@ namespace umbilic {
 struct PolygonFile {
   Cage cage;
   CageSource source;
+  std::vector<std::string> notes;  ///< what was ignored of the file that its user may have meant
 };
 
 /// `text` begins with an OFF keyword.
@@ -39,6 +44,54 @@ class VertexList {
  private:
   int most_;
   std::vector<double> coordinates_;
+};
+
+/// Collects groups of faces while an OBJ file is read. A face belongs to all groups that the last `g` names, and to the
+/// object that the last `o` names, which is a group as well. Errors name no line.
+class GroupList {
+ public:
+  explicit GroupList(const ReadLimits& limits) : limits_(limits) {}
+
+  /// The words after `g`; without any the groups end, but not the object.
+  std::optional<Error> begin_groups(std::string_view words);
+  /// The words after `o`, which are one name: blanks inside become underscores. Without any the object ends.
+  std::optional<Error> begin_object(std::string_view words);
+
+  /// The next face, which is the one of this index.
+  std::optional<Error> append(int face);
+
+  /// Those that have faces, in the order of their first faces.
+  std::vector<FaceGroup> take();
+
+ private:
+  Result<int> group_called(std::string_view word);
+  void update_current();
+
+  ReadLimits limits_;
+  std::map<std::string, int> numbers_;
+  std::vector<FaceGroup> groups_;  // in the order of their names in the text
+  std::vector<int> named_;         // by the last g
+  std::optional<int> object_;
+  std::vector<int> current_;  // both, each group once
+  int memberships_ = 0;
+};
+
+/// Counts the lines that begin with `t`, by which programs write creases into OBJ files. They would change the surface,
+/// so that a user should know that they are ignored.
+class TagCounts {
+ public:
+  /// The words after `t`.
+  void append(std::string_view words, int line);
+
+  /// A sentence for each kind.
+  std::vector<std::string> notes() const;
+
+ private:
+  struct Kind {
+    int lines = 0;
+    int first_line = 0;
+  };
+  std::array<Kind, 4> kinds_{};
 };
 
 }  // namespace umbilic

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The names of the generated cages, the cube and the torus. Frames are made in frame.cpp.
+/// The names of the generated cages, the cube and the torus. Frames are made in frame.cpp, open cages in
+/// open_cages.cpp.
 #include "cage/generate.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <cmath>
 
 #include "cage/frame.h"
+#include "cage/open_cages.h"
 #include "cage/polyhedra.h"
 
 namespace umbilic {
@@ -33,6 +35,14 @@ std::vector<CageName> make_names() {
                      fmt::format("genus {}: the edges of {}, {} junctions", genus, p.solid, p.vertices),
                      CageKind::kPolyhedron, genus});
   }
+  const auto add_open = [&](const char* name, const char* description, CageKind kind) {
+    names.push_back({name, fmt::format("genus 0, open: {}", description), kind, 0, true});
+  };
+  add_open("disk", "a flat disk", CageKind::kDisk);
+  add_open("cylinder", "a cylinder of revolution between two circles", CageKind::kCylinder);
+  add_open("catenoid", "a catenoid between two circles", CageKind::kCatenoid);
+  add_open("spherical-cap", "a part of a sphere around its pole", CageKind::kSphericalCap);
+  add_open("n-sided", "a flat regular polygon", CageKind::kNSided);
   return names;
 }
 
@@ -111,7 +121,19 @@ const std::vector<CageName>& cage_names() {
 CageParameters parameters_of(CageKind kind) {
   const bool torus = kind == CageKind::kTorus, two = kind == CageKind::kTwoJunctions;
   const bool frame = two || kind == CageKind::kPolyhedron;
-  return {.family = frame, .thickness = frame || torus, .spread = two, .ratio = torus, .segments = torus};
+  const bool cylinder = kind == CageKind::kCylinder, chain = kind == CageKind::kCatenoid;
+  const bool cap = kind == CageKind::kSphericalCap, polygon = kind == CageKind::kNSided;
+  const bool round = cylinder || cap || kind == CageKind::kDisk;
+  return {.family = frame,
+          .thickness = frame || torus,
+          .spread = two,
+          .ratio = torus,
+          .segments = torus || round || chain || polygon,
+          .radius = round || polygon,
+          .half_angle = cap,
+          .height = cylinder || chain,
+          .waist = chain,
+          .sides = polygon};
 }
 
 CageParameters parameters_of(std::string_view name) {
@@ -119,7 +141,17 @@ CageParameters parameters_of(std::string_view name) {
   return known ? parameters_of(known->kind) : CageParameters();
 }
 
-Result<Cage> generate_cage(std::string_view name, const CageOptions& options) {
+CageOptions with_default_segments(std::string_view name, CageOptions options) {
+  const CageName* known = cage_called(name);
+  if (!known) return options;
+  if (known->open) return with_open_defaults(known->kind, options);
+  if (options.major_segments == 0) options.major_segments = 6;
+  if (options.minor_segments == 0) options.minor_segments = 8;
+  return options;
+}
+
+Result<Cage> generate_cage(std::string_view name, const CageOptions& given) {
+  const CageOptions options = with_default_segments(name, given);
   const CageName* known = cage_called(name);
   if (!known) {
     std::string list;
@@ -131,6 +163,11 @@ Result<Cage> generate_cage(std::string_view name, const CageOptions& options) {
     case CageKind::kTorus: return torus(options);
     case CageKind::kTwoJunctions:
     case CageKind::kPolyhedron: break;
+    case CageKind::kDisk: return flat_disk(options);
+    case CageKind::kCylinder: return open_cylinder(options);
+    case CageKind::kCatenoid: return catenoid(options);
+    case CageKind::kSphericalCap: return spherical_cap(options);
+    case CageKind::kNSided: return n_sided_polygon(options);
   }
   return frame(*known, options);
 }

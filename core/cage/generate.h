@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The generated cages: cube, torus, and the frames of the paper in two families.
+/// The generated cages: cube, torus, the frames of the paper in two families, and open cages (open_cages.h).
 #pragma once
 
 #include <string>
@@ -35,21 +35,32 @@ struct CageOptions {
   /// Frames with two junctions: distance of the arms' middles from the axis, in [0.5, 3]; the junctions are at distance
   /// 1.
   double spread = 1;
-  double ratio = 0.5;      ///< torus: minor radius / major radius of the control net, in (0, 1), also after thickness
-  int major_segments = 6;  ///< torus: quads around the axis, 3 to 1000
-  int minor_segments = 8;  ///< torus: quads around the tube, 3 to 1000
+  double ratio = 0.5;  ///< torus: minor radius / major radius of the control net, in (0, 1), also after thickness
+  /// Torus: quads around the axis, 3 to 1000 [6]. Open cages: quads around each boundary, 8 to 1000, of those with a
+  /// pole divisible by 4 [32]; of n-sided along each side, 2 to 100 and even [8]. 0: the default in brackets.
+  int major_segments = 0;
+  /// Torus: quads around the tube, 3 to 1000 [8]. Cylinder, catenoid: quads from one boundary to the other, 3 to 1000;
+  /// disk, spherical-cap: quads from the boundary to the square grid in the middle, 2 to 200; n-sided: half of those
+  /// along a side. 0: as many as make the quads about square.
+  int minor_segments = 0;
+  double radius = 1;       ///< disk, cylinder; of the sphere of spherical-cap; to the corners of n-sided; 0.01 to 100
+  double half_angle = 90;  ///< spherical-cap: degrees from the pole to the boundary, 1 to 179
+  double height = 2;       ///< cylinder, catenoid: from boundary to boundary, 0.01 to 100; catenoid: at most 10 waists
+  double waist = 1;        ///< catenoid: its smallest radius, 0.01 to 100
+  int sides = 5;           ///< n-sided: 3 to 12
 };
 
-enum class CageKind { kCube, kTorus, kTwoJunctions, kPolyhedron };
+enum class CageKind { kCube, kTorus, kTwoJunctions, kPolyhedron, kDisk, kCylinder, kCatenoid, kSphericalCap, kNSided };
 
 struct CageName {
   std::string name;         ///< "two-3", "tetrahedron-frame", …
   std::string description;  ///< one line, with the genus
   CageKind kind;
   int genus;
+  bool open = false;  ///< whether the surface has boundaries
 };
 
-/// All generated cages, in the order of their genus within each kind.
+/// All generated cages, in the order of their genus within each kind, and the open ones last.
 const std::vector<CageName>& cage_names();
 
 /// Which options apply to a cage.
@@ -59,11 +70,19 @@ struct CageParameters {
   bool spread = true;
   bool ratio = true;
   bool segments = true;
+  bool radius = true;
+  bool half_angle = true;
+  bool height = true;
+  bool waist = true;
+  bool sides = true;
 };
 
 CageParameters parameters_of(CageKind kind);
 /// The options that apply to the cage called `name`; all if there is no such cage.
 CageParameters parameters_of(std::string_view name);
+
+/// The options with the numbers of segments that `generate_cage` takes where they are 0.
+CageOptions with_default_segments(std::string_view name, CageOptions options);
 
 /// The cage called `name`: validated, with faces oriented outward. Errors name an unknown name or an option out of
 /// range.

@@ -40,6 +40,7 @@ Result<CheckedCage> read_checked_cage(std::string_view text, const ReadLimits& l
   if (!file) return file.error();
   auto report = validate(file->cage, file->source);
   if (!report) return report.error();
+  report->notes.insert(report->notes.begin(), file->notes.begin(), file->notes.end());
   return CheckedCage{std::move(file->cage), std::move(*report)};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Reads the statements `v` and `f` of OBJ; no other statement concerns the control mesh.
+/// Reads the statements `v`, `f`, `g` and `o` of OBJ, and counts `t`; no other statement concerns the control mesh.
 #include <fmt/format.h>
 
 #include <limits>
@@ -75,6 +75,8 @@ Error at_line(int line, const std::string& message) { return Error{fmt::format("
 Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits) {
   PolygonFile file;
   VertexList vertices(limits.vertices);
+  GroupList groups(limits);
+  TagCounts tags;
   Statements statements(text);
   while (const auto statement = statements.next()) {
     std::string_view words = statement->text;
@@ -96,8 +98,16 @@ Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits) {
         }
         face.push_back(*corner);
       }
+      if (const auto error = groups.append(static_cast<int>(file.cage.faces.size()))) {
+        return at_line(statement->number, error->message);
+      }
       file.cage.faces.push_back(std::move(face));
       file.source.face_lines.push_back(statement->number);
+    } else if (keyword == "g" || keyword == "o") {
+      const auto error = keyword == "g" ? groups.begin_groups(words) : groups.begin_object(words);
+      if (error) return at_line(statement->number, error->message);
+    } else if (keyword == "t") {
+      tags.append(words, statement->number);
     }
   }
   if (vertices.size() == 0 && file.cage.faces.empty()) {
@@ -109,6 +119,8 @@ Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits) {
         "not read"};
   }
   file.cage.vertices = vertices.points();
+  file.cage.groups = groups.take();
+  file.notes = tags.notes();
   return file;
 }
 

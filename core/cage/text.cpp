@@ -9,6 +9,8 @@
 #include <limits>
 #include <system_error>
 
+#include "base/utf8.h"
+
 namespace umbilic {
 
 namespace {
@@ -75,6 +77,23 @@ std::string in_quotes(std::string_view word) {
   for (const char c : word.substr(0, kLongest)) out += c >= ' ' && c <= '~' ? c : '?';
   if (word.size() > kLongest) out += "...";
   return out += "'";
+}
+
+std::string printable(std::string_view word) {
+  std::string out;
+  while (!word.empty()) {
+    const std::size_t length = utf8_length(word);
+    const auto first = static_cast<unsigned char>(word[0]);
+    const bool control =  // U+0000 to U+001F and U+007F to U+009F
+        first < ' ' || first == 0x7F || (first == 0xC2 && length == 2 && static_cast<unsigned char>(word[1]) < 0xA0);
+    if (length == 0 || control) {
+      out += '?';
+    } else {
+      out += word.substr(0, length);
+    }
+    word.remove_prefix(length > 0 ? length : 1);
+  }
+  return out;
 }
 
 }  // namespace umbilic

@@ -46,4 +46,7 @@ std::optional<long long> parse_integer(std::string_view word);
 /// `word` in quotes, safe to print: shortened if it is long, and with everything but printable ASCII replaced.
 std::string in_quotes(std::string_view word);
 
+/// `word` with '?' for all that cannot be printed: control characters, and bytes that are no UTF-8.
+std::string printable(std::string_view word);
+
 }  // namespace umbilic

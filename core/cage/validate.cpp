@@ -10,8 +10,10 @@
 #include <string_view>
 #include <utility>
 
+#include "cage/boundary.h"
 #include "cage/cage.h"
 #include "cage/component_size.h"
+#include "cage/count.h"
 #include "cage/edges.h"
 #include "cage/outward.h"
 
@@ -75,8 +77,9 @@ std::optional<Error> check_faces(const Cage& cage, const Naming& naming) {
   return std::nullopt;
 }
 
-/// If two open edges are at the same place, a program has probably written the vertices of a seam twice.
-std::string seam_hint(const Cage& cage, const std::vector<EdgeUse>& open, const Naming& naming) {
+/// Two vertices of open edges at the same place: a program has probably written the vertices of a seam twice. Empty
+/// where there are none.
+std::optional<std::string> coincident_pair(const Cage& cage, const std::vector<EdgeUse>& open, const Naming& naming) {
   std::vector<int> rim;
   for (const EdgeUse& use : open) rim.insert(rim.end(), {use.low, use.high});
   std::sort(rim.begin(), rim.end());
@@ -87,27 +90,32 @@ std::string seam_hint(const Cage& cage, const std::vector<EdgeUse>& open, const 
   std::stable_sort(rim.begin(), rim.end(), [&](int a, int b) { return position(a) < position(b); });
   const auto twin =
       std::adjacent_find(rim.begin(), rim.end(), [&](int a, int b) { return position(a) == position(b); });
-  if (twin == rim.end()) return "";
-  return fmt::format("; vertices {} and {} coincide, so merging duplicate vertices may close it",
-                     naming.vertex(twin[0]), naming.vertex(twin[1]));
+  if (twin == rim.end()) return std::nullopt;
+  return fmt::format("vertices {} and {} coincide, so merging duplicate vertices may close", naming.vertex(twin[0]),
+                     naming.vertex(twin[1]));
 }
 
-std::optional<Error> check_edges(const Cage& cage, const std::vector<EdgeUse>& uses, const Naming& naming) {
-  std::vector<EdgeUse> open;
+std::optional<Error> check_edges(const std::vector<EdgeUse>& uses, const Naming& naming) {
   for (std::size_t i = 0; i < uses.size();) {
     std::size_t end = i + 1;
     while (end < uses.size() && same_edge(uses[i], uses[end])) ++end;
     if (end - i > 2) return naming.at_edge(uses[i + 2], fmt::format("belongs to {} faces: not a manifold", end - i));
-    if (end - i == 1) open.push_back(uses[i]);
     i = end;
   }
-  if (open.empty()) return std::nullopt;
+  return std::nullopt;
+}
+
+/// Why an open cage is refused below this layer; see `Cage::open`.
+std::string refusal(const std::vector<EdgeUse>& open, const std::optional<std::string>& pair, const Naming& naming) {
+  if (open.empty()) return "";
   const auto in_text_order = [](const EdgeUse& a, const EdgeUse& b) {
     return std::pair(a.face, a.corner) < std::pair(b.face, b.corner);
   };
-  const EdgeUse& first = *std::min_element(open.begin(), open.end(), in_text_order);
-  return naming.at_edge(first, fmt::format("has a face on one side only: the surface is open (open edges: {}){}",
-                                           open.size(), seam_hint(cage, open, naming)));
+  return naming
+      .at_edge(*std::min_element(open.begin(), open.end(), in_text_order),
+               fmt::format("has a face on one side only: the surface is open (open edges: {}){}", open.size(),
+                           pair ? fmt::format("; {} it", *pair) : ""))
+      .message;
 }
 
 std::optional<Error> check_fans(const Cage& cage, const std::vector<EdgeUse>& uses, const Naming& naming) {
@@ -169,32 +177,6 @@ std::vector<std::string> sentences(const TurnedFaces& turned, int dropped) {
   return repairs;
 }
 
-/// Counts the elements of a closed, vertex-manifold cage without unused vertices.
-CageReport count(const Cage& cage, const std::vector<EdgeUse>& uses, const Orientation& orientation) {
-  CageReport report;
-  report.vertices = static_cast<int>(cage.vertices.rows());
-  report.edges = static_cast<int>(uses.size() / 2);
-  report.faces = static_cast<int>(cage.faces.size());
-  report.components.resize(orientation.component_count);
-  std::vector<bool> counted(report.vertices, false);
-  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
-    CageComponent& component = report.components[orientation.component[f]];
-    ++component.faces;
-    component.edges += static_cast<int>(cage.faces[f].size());  // counts each edge from both sides
-    for (const int v : cage.faces[f]) {
-      if (counted[v]) continue;
-      counted[v] = true;
-      ++component.vertices;
-    }
-  }
-  for (CageComponent& component : report.components) {
-    component.edges /= 2;
-    component.genus = (2 - (component.vertices - component.edges + component.faces)) / 2;
-    report.genus += component.genus;
-  }
-  return report;
-}
-
 }  // namespace
 
 Result<CageReport> validate(Cage& cage, const CageSource& source) {
@@ -202,7 +184,7 @@ Result<CageReport> validate(Cage& cage, const CageSource& source) {
   if (auto error = check_vertices(cage, naming)) return *error;
   if (auto error = check_faces(cage, naming)) return *error;
   const std::vector<EdgeUse> uses = edge_uses(cage);
-  if (auto error = check_edges(cage, uses, naming)) return *error;
+  if (auto error = check_edges(uses, naming)) return *error;
   const Orientation orientation = orient(cage, uses);
   if (orientation.conflict >= 0) {
     return naming.at_face(orientation.conflict,
@@ -211,11 +193,18 @@ Result<CageReport> validate(Cage& cage, const CageSource& source) {
   if (auto error = check_fans(cage, uses, naming)) return *error;
   const std::vector<ComponentSize> sizes = component_sizes(cage, orientation);
   if (auto error = check_sizes(sizes, naming)) return *error;
-  const TurnedFaces turned = turn_outward(cage, orientation, sizes);
-  const auto given = static_cast<int>(cage.vertices.rows());
+
+  const std::vector<EdgeUse> open = open_uses(uses);
+  std::vector<bool> is_open(sizes.size(), false);
+  for (const EdgeUse& use : open) is_open[orientation.component[use.face]] = true;
+  const std::optional<std::string> pair = coincident_pair(cage, open, naming);
+  cage.open = refusal(open, pair, naming);
+  const TurnedFaces turned = turn_outward(cage, orientation, sizes, is_open);
+  CageReport report = count(cage, uses, orientation, boundary_loops(cage, open));
+  for (CageBoundary& boundary : report.boundaries) boundary.first_vertex = naming.vertex(boundary.first_vertex);
+  if (pair) report.notes.push_back(*pair + " the surface");
+  report.repairs = sentences(turned, static_cast<int>(cage.vertices.rows()) - report.vertices);
   drop_unused_vertices(cage);
-  CageReport report = count(cage, uses, orientation);
-  report.repairs = sentences(turned, given - report.vertices);
   return report;
 }
 

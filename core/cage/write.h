@@ -11,6 +11,7 @@
 
 namespace umbilic {
 
+/// With the cage's groups. What is written reads back to the same cage.
 std::string write_obj(const Cage& cage);
 
 /// Quads with one normal per vertex.

@@ -48,7 +48,7 @@ struct Entry {
   LimitReport limit;
   std::optional<CertificateReport> certificate;
   std::optional<SecondFamily> second;
-  Points orbit_points;  ///< of the best level's minimizer, see driver/symmetric_cage.h
+  Points orbit_points;  ///< of the best level's minimizer, see driver/surface_state.h
 };
 
 /// Called during a computation with the current run; returns whether to continue.

@@ -3,6 +3,8 @@
 /// Counts over a cage's vertices and faces.
 #include "cli/cage_shape.h"
 
+#include "cage/edges.h"
+#include "driver/surface.h"
 #include "mesh/hierarchy.h"
 #include "mesh/polygon_mesh.h"
 
@@ -10,10 +12,20 @@ namespace umbilic::cli {
 
 CageShape shape_of(const Cage& cage) {
   CageShape shape;
-  const PolygonMesh mesh(cage);
-  for (int v = 0; v < mesh.vertex_count(); ++v) ++shape.valences[mesh.valence(v)];
-  for (int f = 0; f < mesh.face_count(); ++f) ++shape.face_sizes[mesh.face_size(f)];
-  const Result<int> level = required_level(mesh);
+  std::vector<int> valence(cage.vertices.rows(), 0);
+  const std::vector<EdgeUse> uses = edge_uses(cage);
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (i > 0 && same_edge(uses[i - 1], uses[i])) continue;
+    ++valence[uses[i].low];
+    ++valence[uses[i].high];
+  }
+  for (const int edges : valence) ++shape.valences[edges];
+  for (const std::vector<int>& face : cage.faces) ++shape.face_sizes[static_cast<int>(face.size())];
+  if (const auto open = refuse_open(cage)) {
+    shape.obstacle = open->message;
+    return shape;
+  }
+  const Result<int> level = required_level(PolygonMesh(cage));
   if (level) {
     shape.first_level = *level;
   } else {

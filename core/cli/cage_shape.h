@@ -12,7 +12,7 @@
 namespace umbilic::cli {
 
 struct CageShape {
-  std::map<int, int> valences;     ///< valence -> number of vertices
+  std::map<int, int> valences;     ///< number of edges at a vertex -> number of such vertices
   std::map<int, int> face_sizes;   ///< edges -> number of faces
   std::optional<int> first_level;  ///< the first level that can be evaluated
   std::string obstacle;            ///< why no level can be evaluated

@@ -37,7 +37,7 @@ struct Segments {
   int minor;
 };
 
-/// Parses "MxN": quads around the axis, and around the tube. generate_cage checks the range.
+/// Parses "MxN": quads around the axis and the tube, or around the boundary and across. generate_cage checks the range.
 Result<Segments> parse_segments(std::string_view text) {
   constexpr int kMost = 1'000'000;
   const std::size_t cross = text.find('x');
@@ -47,6 +47,9 @@ Result<Segments> parse_segments(std::string_view text) {
   return Error{fmt::format("{} is not MxN, two numbers of segments", in_quotes(text))};
 }
 
+/// generate_cage checks the range.
+Result<int> parse_sides(std::string_view text) { return parse_count(text, 1, 1'000'000); }
+
 Result<FrameFamily> family_called(const std::string& name) {
   if (name == "hub") return FrameFamily::kHub;
   if (name == "flag") return FrameFamily::kFlag;
@@ -55,13 +58,13 @@ Result<FrameFamily> family_called(const std::string& name) {
 
 /// An option that the cage does not have, which would silently be ignored.
 std::optional<std::string> misplaced_option(const CLI::App& command, const CageName& cage) {
-  const bool frame = cage.kind == CageKind::kTwoJunctions || cage.kind == CageKind::kPolyhedron;
-  const bool torus = cage.kind == CageKind::kTorus;
-  const std::initializer_list<std::pair<const char*, bool>> applies{{"--family", frame},
-                                                                    {"--thickness", frame || torus},
-                                                                    {"--spread", cage.kind == CageKind::kTwoJunctions},
-                                                                    {"--ratio", torus},
-                                                                    {"--segments", torus}};
+  const CageParameters has_the = parameters_of(cage.kind);
+  const std::initializer_list<std::pair<const char*, bool>> applies{
+      {"--family", has_the.family},         {"--thickness", has_the.thickness},
+      {"--spread", has_the.spread},         {"--ratio", has_the.ratio},
+      {"--segments", has_the.segments},     {"--radius", has_the.radius},
+      {"--half-angle", has_the.half_angle}, {"--height", has_the.height},
+      {"--waist", has_the.waist},           {"--sides", has_the.sides}};
   for (const auto& [option, has] : applies) {
     if (!has && command.count(option) > 0) return fmt::format("cage {} has no {}", cage.name, option);
   }
@@ -71,11 +74,13 @@ std::optional<std::string> misplaced_option(const CLI::App& command, const CageN
 int run(const CLI::App& command, const CageArguments& arguments) {
   if (arguments.list) return print(list_of_cages()) ? kEnded : kCannotWrite;
   if (arguments.name.empty()) return fail(kBadUsage, "cage needs a NAME, or --list");
-  const auto cage = generate_cage(arguments.name, arguments.options);
+  auto cage = generate_cage(arguments.name, arguments.options);
   if (!cage) return fail(kBadUsage, cage.error().message);
   const auto known = std::find_if(cage_names().begin(), cage_names().end(),
                                   [&](const CageName& candidate) { return candidate.name == arguments.name; });
   if (const auto problem = misplaced_option(command, *known)) return fail(kBadUsage, *problem);
+  // OBJ has no word for holes.
+  if (!cage->holes.empty()) cage->groups.push_back({"hole", cage->holes});
   if (const auto error = write_file(arguments.output, write_obj(*cage))) return fail(kCannotWrite, error->message);
   return kEnded;
 }
@@ -83,7 +88,7 @@ int run(const CLI::App& command, const CageArguments& arguments) {
 }  // namespace
 
 void add_cage_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("cage", "Write a generated cage as OBJ: cube, torus, frames");
+  CLI::App* command = app.add_subcommand("cage", "Write a generated cage as OBJ: cube, torus, frames, open cages");
   const auto arguments = std::make_shared<CageArguments>();
   CageOptions& options = arguments->options;
   command->add_option("NAME", arguments->name, "Which cage; see --list")->type_name("");
@@ -114,9 +119,20 @@ void add_cage_command(CLI::App& app, int& exit_code) {
             options.major_segments = segments.major;
             options.minor_segments = segments.minor;
           },
-          "Torus: quads around the axis x quads around the tube [6x8]")
+          "Torus: quads around the axis x quads around the tube [6x8];\nopen cages: around the boundary x across [32x, "
+          "about square]")
       ->type_name("MxN")
       ->check(checked(parse_segments));
+  add_real("--radius", options.radius, "R", "Disk, cylinder, spherical-cap, n-sided: radius [1]");
+  add_real("--half-angle", options.half_angle, "A", "Spherical-cap: degrees from the pole to the boundary [90]");
+  add_real("--height", options.height, "H", "Cylinder, catenoid: from boundary to boundary [2]");
+  add_real("--waist", options.waist, "W", "Catenoid: smallest radius [1]");
+  command
+      ->add_option_function<std::string>(
+          "--sides", [&options](const std::string& text) { options.sides = parse_sides(text).value(); },
+          "N-sided: how many [5]")
+      ->type_name("N")
+      ->check(checked(parse_sides));
   command->add_option("-o,--output", arguments->output, "Write to this file instead of standard output")
       ->type_name("OUT.obj");
   command->callback([arguments, command, &exit_code] { exit_code = run(*command, *arguments); });

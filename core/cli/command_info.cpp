@@ -31,16 +31,36 @@ std::string histogram_line(std::string_view what, const std::map<int, int>& hist
   return text;
 }
 
+std::string boundary_lines(const CageReport& report) {
+  std::string text;
+  for (const CageBoundary& boundary : report.boundaries) {
+    text += fmt::format("  boundary {}: {} vertices, from vertex {}", boundary.number, boundary.vertices,
+                        boundary.first_vertex);
+    text += report.components.size() > 1 ? fmt::format(", of component {}\n", boundary.component) : "\n";
+  }
+  return text;
+}
+
+std::string group_lines(const CageReport& report) {
+  std::string text;
+  for (const CageGroup& group : report.groups) {
+    text += fmt::format("  group {}: {} {}\n", group.name, group.faces, group.faces == 1 ? "face" : "faces");
+  }
+  return text;
+}
+
 std::string table(const CageFile& input) {
   const CageShape shape = shape_of(input.cage);
   std::string text = input_line(input.name, input.report);
   if (input.report.components.size() > 1) {
     for (std::size_t i = 0; i < input.report.components.size(); ++i) {
       const CageComponent& c = input.report.components[i];
-      text += fmt::format("  component {}: {} vertices, {} edges, {} faces, genus {}\n", i + 1, c.vertices, c.edges,
+      text += fmt::format("  component {}: {} vertices, {} edges, {} faces, genus {}", i + 1, c.vertices, c.edges,
                           c.faces, c.genus);
+      text += c.boundaries > 0 ? fmt::format(", boundaries: {}\n", c.boundaries) : "\n";
     }
   }
+  text += boundary_lines(input.report) + group_lines(input.report);
   text += histogram_line("valences", shape.valences);
   text += histogram_line("face sizes", shape.face_sizes);
   return text + (shape.first_level ? fmt::format("  first level that can be evaluated: {}\n", *shape.first_level)

@@ -4,12 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 
-#include "cage/text.h"
 #include "cage/write.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
@@ -18,6 +15,7 @@
 #include "cli/files.h"
 #include "cli/interrupt.h"
 #include "cli/problem_file.h"
+#include "cli/problem_options.h"
 #include "cli/tables.h"
 #include "cli/version.h"
 #include "driver/problem_run.h"
@@ -29,8 +27,7 @@ namespace {
 
 struct OptimizeArguments {
   std::string input;
-  /// Changes by flags to the options of a problem's file.
-  std::vector<std::function<void(RunOptions&)>> changes;
+  ProblemChanges changes;
   std::optional<std::string> output;
   std::optional<std::string> limit_mesh;
   std::optional<std::string> report;
@@ -59,14 +56,6 @@ std::optional<std::string> shared_output(const std::vector<std::string>& outputs
   }
   return std::nullopt;
 }
-
-Result<double> parse_tolerance(const std::string& text) {
-  const Result<double> number = parse_real(text);
-  if (number && *number < 0) return Error{fmt::format("{} is negative", in_quotes(text))};
-  return number;
-}
-
-Result<int> parse_iterations(const std::string& text) { return parse_count(text, 0, std::numeric_limits<int>::max()); }
 
 /// Returns whether the run has come to its end by itself.
 bool minimize(Run& run, const InterruptWatch& watch, bool quiet) {
@@ -147,7 +136,7 @@ int write_results(const OptimizeArguments& arguments, const Ending& ending) {
 Result<ProblemFile> asked(const OptimizeArguments& arguments) {
   Result<ProblemFile> file = load_problem(arguments.input);
   if (!file) return file.error();
-  for (const auto& change : arguments.changes) change(file->problem.options);
+  for (const auto& change : arguments.changes) change(file->problem);
   return file;
 }
 
@@ -188,58 +177,6 @@ int run(const OptimizeArguments& arguments) {
   return written == kEnded ? exit_code : written;
 }
 
-/// Adds an option that changes the problem if it is given.
-template <class Parse, class Apply>
-CLI::Option* add_change(CLI::App& command, const std::shared_ptr<OptimizeArguments>& arguments, const char* name,
-                        const char* type, const char* words, const Parse& parse, const Apply& apply) {
-  return command
-      .add_option_function<std::string>(
-          name,
-          [arguments, parse, apply](const std::string& text) {
-            const auto value = parse(text).value();
-            arguments->changes.push_back([value, apply](RunOptions& options) { apply(options, value); });
-          },
-          words)
-      ->type_name(type)
-      ->check(checked(parse));
-}
-
-void add_problem_options(CLI::App& command, const std::shared_ptr<OptimizeArguments>& arguments) {
-  const auto set_weights = [](RunOptions& options, const Weights& weights) { options.weights = weights; };
-  CLI::Option* functional = add_change(
-      command, arguments, "--functional", "NAME", kFunctionalWords,
-      [](const std::string& name) { return weights_of(name); }, set_weights);
-  add_change(
-      command, arguments, "--weights", "SUM", kWeightsWords,
-      [](const std::string& text) { return parse_weights(text); }, set_weights)
-      ->excludes(functional);
-  add_change(command, arguments, "--cap", "CAP", kCapWords, parse_cap,
-             [](RunOptions& options, CapKind cap) { options.cap = cap; });
-  add_change(
-      command, arguments, "--levels", "A..B",
-      "Minimize, subdivide, minimize: from A to B Catmull-Clark steps of the cage;\n"
-      "where the cage is too coarse to be evaluated, a finer mesh is [0..2]",
-      [](const std::string& text) { return parse_levels(text); },
-      [](RunOptions& options, const LevelRange& range) {
-        options.first_level = range.first;
-        options.last_level = range.last;
-      });
-  add_change(command, arguments, "--max-iterations", "N", "Most iterations per level [1000]", parse_iterations,
-             [](RunOptions& options, int most) { options.max_iterations = most; });
-  add_change(command, arguments, "--tolerance", "T",
-             "A level ends when the decrease still predicted is below\nT * max(energy, 1e-6 * 8 pi) [1e-6]",
-             parse_tolerance, [](RunOptions& options, double tolerance) { options.tolerance = tolerance; });
-  command.add_flag(
-      "--no-symmetry",
-      [arguments](std::int64_t) {
-        arguments->changes.push_back([](RunOptions& options) { options.symmetry = false; });
-      },
-      "Let the surface leave the cage's symmetry");
-  add_change(command, arguments, "--metric", "NAME",
-             "What the optimizer measures steps with: auto, identity, sobolev or hessian [auto]", parse_metric,
-             [](RunOptions& options, MetricChoice metric) { options.metric = metric; });
-}
-
 }  // namespace
 
 void add_optimize_command(CLI::App& app, int& exit_code) {
@@ -251,7 +188,7 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
                    "A problem, or a report to go on from (JSON); or an OBJ or OFF file of a\n"
                    "closed polygon mesh; or - for standard input")
       ->type_name("");
-  add_problem_options(*command, arguments);
+  add_problem_options(*command, std::shared_ptr<ProblemChanges>(arguments, &arguments->changes));
   command->add_flag("--print-problem", arguments->print_problem, "Print the problem that these options ask, and exit");
   command->add_flag("--print-schema", arguments->print_schema,
                     "Print the JSON schema of problems and reports, and exit");

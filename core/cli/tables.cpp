@@ -62,13 +62,32 @@ std::string input_line(std::string_view name, const CageReport& report) {
   std::string text = fmt::format("{}: {}, {}, {}", name, plural(report.vertices, "vertex", "vertices"),
                                  plural(report.edges, "edge", "edges"), plural(report.faces, "face", "faces"));
   if (report.components.size() > 1) text += fmt::format(", {} components", report.components.size());
-  text += fmt::format(", genus {}\n", report.genus);
+  text += fmt::format(", genus {}", report.genus);
+  if (!report.boundaries.empty()) {
+    text += ", " + plural(static_cast<int>(report.boundaries.size()), "boundary", "boundaries");
+  }
+  text += '\n';
   for (const std::string& repair : report.repairs) text += fmt::format("repaired: {}\n", repair);
+  for (const std::string& note : report.notes) text += fmt::format("note: {}\n", note);
   return text;
 }
 
+/// What was minimized, where that is not the whole surface's.
+std::string free_energy_lines(const FreeEnergies& free) {
+  std::string text = "over the free faces, which is what was minimized\n";
+  for (std::size_t i = 0; i < free.functionals.size(); ++i)
+    text += energy_line(kFunctionalNames[i], free.functionals[i]);
+  text += area_line(free.area);
+  if (free.area_factor > 0) {
+    text += fmt::format(
+        "  functionals of third order have the constant factor {:.10g}, the area of the cage's own surface\n",
+        free.area_factor);
+  }
+  return text + "of the whole surface\n";
+}
+
 std::string energy_table(const EnergyReport& energies, const std::string& objective) {
-  std::string text;
+  std::string text = energies.free ? free_energy_lines(*energies.free) : "";
   for (std::size_t i = 0; i < energies.functionals.size(); ++i) {
     const double value = energies.functionals[i];
     std::string note;

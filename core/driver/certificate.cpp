@@ -42,12 +42,13 @@ struct Certificate::State {
   std::optional<Error> failure;
   CertificateReport report;
 
-  State(RefinedCage start, CapKind cap, const Weights& weights, int quadrature)
+  State(RefinedCage start, CapKind cap, const Weights& weights, int quadrature, std::optional<double> fixed_area)
       : cage(std::move(start)),
-        surface(cage, cap, weights),
-        gauge(gauge_of(weights)),
-        unknowns(Coordinates(cage.mesh.vertex_count())),
-        assembly(surface.layout(), unknowns, weights, minimizing_rule(cap, weights, quadrature)) {
+        surface(cage, cap, weights, 0, fixed_area),
+        gauge(cage.held.empty() ? gauge_of(weights) : Gauge::none()),
+        unknowns(Coordinates(cage.mesh, {}, held_points(cage, cap))),
+        assembly(surface.layout(), unknowns, weights, minimizing_rule(cap, weights, quadrature), kUmbilicEta,
+                 fixed_area) {
     assembly.begin(cage.control);
     report.level = cage.level;
     report.unknowns = unknowns.count();
@@ -90,7 +91,8 @@ struct Certificate::State {
   /// U^T -C^-1 0; G^T 0 0] with K + tau S = M + U C U^T.
   void count() {
     int negative = factor.negative();
-    const Eigen::MatrixXd directions = orthonormal_gauge(gauge, cage.control);
+    Eigen::MatrixXd directions(unknowns.count(), 0);
+    if (gauge.dimension() > 0) directions = orthonormal_gauge(gauge, cage.control);
     const Eigen::Index rank = assembly.factors().cols();
     Eigen::MatrixXd border(unknowns.count(), rank + directions.cols());
     border << assembly.factors(), directions;
@@ -102,7 +104,8 @@ struct Certificate::State {
   }
 };
 
-Result<Certificate> Certificate::create(const RefinedCage& cage, CapKind cap, const Weights& weights, int quadrature) {
+Result<Certificate> Certificate::create(const RefinedCage& cage, CapKind cap, const Weights& weights, int quadrature,
+                                        std::optional<double> fixed_area) {
   if (cap == CapKind::kFlat) {
     return Error{"no certificate with cap flat: its second derivatives take the caps' normals as fixed"};
   }
@@ -112,7 +115,7 @@ Result<Certificate> Certificate::create(const RefinedCage& cage, CapKind cap, co
   }
   RefinedCage free = cage;
   free.symmetry = {};
-  return Certificate(std::make_unique<State>(std::move(free), cap, weights, quadrature));
+  return Certificate(std::make_unique<State>(std::move(free), cap, weights, quadrature, fixed_area));
 }
 
 Certificate::Certificate(std::unique_ptr<State> state) : state_(std::move(state)) {}

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "base/result.h"
 #include "energy/functional.h"
@@ -43,9 +44,10 @@ struct RefinedCage;
 /// The computation, in steps short enough for a page to wait for.
 class Certificate {
  public:
-  /// For a surface with these control points, with quadrature rules refined by `quadrature` steps. Fails as
-  /// `Run::certify`.
-  static Result<Certificate> create(const RefinedCage& cage, CapKind cap, const Weights& weights, int quadrature = 0);
+  /// For a surface with these control points, with quadrature rules refined by `quadrature` steps and `fixed_area` as
+  /// in Surface. Where faces are held, the directions are those in which the others can move. Fails as `Run::certify`.
+  static Result<Certificate> create(const RefinedCage& cage, CapKind cap, const Weights& weights, int quadrature = 0,
+                                    std::optional<double> fixed_area = {});
 
   Certificate(Certificate&&) noexcept;
   Certificate& operator=(Certificate&&) noexcept;

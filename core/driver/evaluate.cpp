@@ -31,7 +31,7 @@ double central_difference(const F& f, double h) {
 }  // namespace
 
 Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels) {
-  Result<RefinedCage> prepared = prepare({cage, {}}, levels, false);
+  Result<RefinedCage> prepared = prepare(cage, levels, false);
   if (!prepared) return prepared.error();
   const int steps = std::max(levels, required_level(prepared->mesh).value());
   Weights bending{};

@@ -79,10 +79,18 @@ Unknowns unknowns_of(const RefinedCage& cage, const Coordinates& coordinates, co
 Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options)
     : options_(options),
       start_(std::move(start)),
-      coordinates_(start_.mesh, start_.symmetry),
-      surface_(refine(start_, evaluated_level - start_.level), options.cap, options.weights, options.quadrature),
+      coordinates_(start_.mesh, start_.symmetry, held_points(start_, options.cap)),
+      surface_(refine(start_with_held_points(), evaluated_level - start_.level), options.cap, options.weights,
+               options.quadrature, options.fixed_area),
+      gauge_(start_.held.empty() ? gauge_of(options.weights) : Gauge::none()),
       unknowns_(unknowns_of(start_, coordinates_, surface_)),
       metric_choice_(choose(options, surface_, unknowns_.count())) {}
+
+/// Puts held points of the start exactly where they are held.
+const RefinedCage& Level::start_with_held_points() {
+  if (!start_.held.empty()) start_.control = coordinates_.control(coordinates_.unknowns(start_.control));
+  return start_;
+}
 
 RefinedCage Level::best_cage() const {
   RefinedCage cage = start_;
@@ -101,14 +109,14 @@ void Level::start() {
 }
 
 void Level::prepare() {
-  objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.mesh().euler_characteristic(),
+  objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.expected_gaussian(),
                                                   surface_.start(), surface_.lower_bound());
   if (!start_energy_) start_energy_ = objective_->start_energy();
   if (!start_is_in_question()) prepare_metric();
 }
 
 bool Level::start_is_in_question() const {
-  return !objective_->start_is_whole() && options_.max_iterations > 0 && !thicker_ &&
+  return start_.held.empty() && !objective_->start_is_whole() && options_.max_iterations > 0 && !thicker_ &&
          thicknesses_tried_ < kThicknessRatios.size();
 }
 
@@ -129,10 +137,11 @@ void Level::prepare_metric() {
 
 void Level::make_metric() {
   if (metric_choice_ == MetricChoice::kSobolev) {
-    metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_);
+    metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_, gauge_);
   } else {
     metric_ = std::make_unique<HessianMetric>(surface_.layout(), unknowns_, options_.weights,
-                                              hessian_rule(options_.cap, options_.weights, options_.quadrature));
+                                              hessian_rule(options_.cap, options_.weights, options_.quadrature), gauge_,
+                                              options_.fixed_area);
   }
 }
 

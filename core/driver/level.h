@@ -11,6 +11,7 @@
 
 #include "driver/surface.h"
 #include "driver/surface_objective.h"
+#include "optimize/gauge.h"
 #include "optimize/surface_metric.h"
 #include "problem/metric_choice.h"
 #include "solve/lbfgs.h"
@@ -34,12 +35,15 @@ struct LevelOptions {
   /// higher.
   double energy_before = std::numeric_limits<double>::infinity();
   int quadrature = 0;  ///< by how many steps the rules are refined, see driver/rules.h
+  /// The constant factor of third-order functionals where faces are held, see Surface.
+  std::optional<double> fixed_area{};
 };
 
 class Level {
  public:
-  /// Moves the points of `start`, and evaluates the surface on the mesh of `evaluated_level` >= start.level. The first
-  /// steps make what only the optimizer needs, so that a surface that is only viewed is available soon.
+  /// Moves the points of `start`, and evaluates the surface on the mesh of `evaluated_level` >= start.level, which must
+  /// be equal if faces are held. The first steps make what only the optimizer needs, so that a surface that is only
+  /// viewed is available soon.
   Level(RefinedCage start, int evaluated_level, const LevelOptions& options);
 
   /// One energy evaluation, or a part of a metric that costs no more. Returns whether the level has ended.
@@ -84,6 +88,7 @@ class Level {
   LevelReport report(const EnergyReport& energies) const;
 
  private:
+  const RefinedCage& start_with_held_points();
   void prepare();
   void prepare_metric();
   bool start_is_in_question() const;
@@ -102,6 +107,7 @@ class Level {
   RefinedCage start_;
   Coordinates coordinates_;  // of `start_`
   Surface surface_;
+  Gauge gauge_;
   Unknowns unknowns_;
   std::unique_ptr<SurfaceObjective> objective_;  // null before the first step, like the metric
   MetricChoice metric_choice_;                   // never kAutomatic

@@ -7,16 +7,6 @@
 #include "problem/cage_of.h"
 
 namespace umbilic {
-namespace {
-
-Result<Run> run_of(const Problem& problem, const Cage& cage) {
-  if (!problem.start) return Run::create(cage, problem.options);
-  const Result<SymmetricCage> start = symmetric_cage(cage, problem.start->level, problem.start->points);
-  if (!start) return Error{"start: " + start.error().message};
-  return Run::create(*start, problem.options);
-}
-
-}  // namespace
 
 Report ProblemRun::report() const {
   Report report;
@@ -34,7 +24,7 @@ Report ProblemRun::report() const {
 Result<ProblemRun> begin_run(Problem problem) {
   const Result<CheckedCage> cage = cage_of(problem.cage);
   if (!cage) return cage.error();
-  Result<Run> run = run_of(problem, cage->cage);
+  Result<Run> run = Run::create(cage->cage, problem.options, problem.constraints, problem.start);
   if (!run) return named(problem.cage, run.error());
   return ProblemRun{std::move(problem), cage->report, std::move(run).value()};
 }

@@ -15,6 +15,7 @@
 #include "driver/extrapolate.h"
 #include "driver/level.h"
 #include "driver/memory.h"
+#include "driver/surface_state.h"
 #include "driver/tessellate.h"
 #include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
@@ -48,12 +49,14 @@ struct Run::State {
   Progress progress;
   double level_seconds = 0;
   bool cancelled = false;
+  std::optional<double> fixed_area;              // see Surface
   mutable std::optional<EnergyReport> energies;  // cached for the current best surface
   mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
   LevelOptions level_options() const {
     LevelOptions next{options.cap, options.weights, options.max_iterations, options.tolerance, options.metric};
     if (!levels.empty()) next.energy_before = levels.back().energy_reported;
+    next.fixed_area = fixed_area;
     return next;
   }
 
@@ -156,26 +159,42 @@ struct Run::State {
   }
 };
 
-Result<Run> Run::create(const Cage& cage, const RunOptions& options) { return begin({cage, {}}, options); }
+namespace {
 
-Result<Run> Run::create(const SymmetricCage& cage, const RunOptions& options) {
-  return begin({cage.cage, cage.symmetry, cage.level}, options);
+/// The area of the cage's own surface at the level `required`, in unit coordinates.
+double own_area(const RefinedCage& cage, int required, CapKind cap) {
+  RefinedCage own = cage;
+  own.control = own.own;
+  own.held.clear();
+  const RefinedCage refined = refine(std::move(own), required);
+  const PatchLayout layout(refined.mesh, cap, face_orbits(refined.mesh, refined.symmetry));
+  return surface_integrals(JetEvaluator(layout, reporting_rule(cap)), refined.control).area;
 }
 
-Result<Run> Run::begin(const StartingCage& start, const RunOptions& options) {
+}  // namespace
+
+Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Constraints& constraints,
+                        const std::optional<SurfaceState>& start) {
   Error error;
   if (!in_range(options, error)) return error;
-  const auto steps_to = [&](int level) { return std::max(0, level - start.level); };
-  Result<RefinedCage> prepared = prepare(start, steps_to(options.last_level), options.symmetry);
+  if (start && !in_range(*start, error)) return Error{"start." + error.message};
+  Result<RefinedCage> prepared =
+      prepare(cage, std::max(options.last_level, start ? start->level : 0), options.symmetry || start, constraints);
   if (!prepared) return prepared.error();
-  prepared->level = start.level;
   if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
+  const bool holds = !prepared->held.empty();
   auto state = std::make_unique<State>();
   state->options = options;
-  const int required = required_level(prepared->mesh).value();
-  state->required_level = start.level + required;
-  if (auto error_of_size = too_large_a_run(*prepared, required, options)) return *error_of_size;
-  const RefinedCage first = refine(std::move(prepared).value(), steps_to(options.first_level));
+  state->required_level = required_level(prepared->mesh).value();
+  if (auto error_of_size = too_large_a_run(*prepared, state->required_level, options)) return *error_of_size;
+  if (holds) state->fixed_area = own_area(*prepared, state->required_level, options.cap);
+  if (start) {
+    prepared = at_state(std::move(prepared).value(), *start, options.cap, options.symmetry);
+    if (!prepared) return Error{"start: " + prepared.error().message};
+    if (!options.symmetry) prepared->symmetry = {};
+  }
+  const int first_level = holds ? std::max(options.first_level, state->required_level) : options.first_level;
+  const RefinedCage first = refine(std::move(prepared).value(), first_level - prepared->level);
   state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
   state->update_progress();
   return Run(std::move(state));
@@ -232,8 +251,10 @@ LimitReport Run::limit() const {
 
 Result<Certificate> Run::certify() const {
   const Level& level = *state_->level;
-  return Certificate::create({level.surface().level(), level.surface().mesh(), level.best(), {}}, state_->options.cap,
-                             state_->options.weights, level.quadrature());
+  RefinedCage cage = level.surface().cage();
+  cage.control = level.best();
+  return Certificate::create(cage, state_->options.cap, state_->options.weights, level.quadrature(),
+                             state_->fixed_area);
 }
 
 Cage Run::control_mesh() const { return state_->control_mesh(); }
@@ -249,7 +270,8 @@ Result<LimitMesh> Run::limit_mesh(int density) const {
   const Surface& surface = state_->level->surface();
   if (density < 1) return Error{fmt::format("density {}: expected a number >= 1", density)};
   if (auto error = too_large_a_mesh(surface.mesh(), density)) return *error;
-  LimitMesh mesh = tessellate(surface.mesh(), surface.symmetry(), surface.layout(), state_->level->best(), density);
+  LimitMesh mesh =
+      tessellate(surface.mesh(), surface.symmetry(), surface.whole_layout(), state_->level->best(), density);
   put_back(mesh, surface.placement());
   return mesh;
 }

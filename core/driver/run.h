@@ -17,24 +17,22 @@
 #include "cage/cage.h"
 #include "driver/certificate.h"
 #include "driver/limit_mesh.h"
-#include "driver/symmetric_cage.h"
-#include "problem/options.h"
+#include "problem/problem.h"
 #include "problem/progress.h"
 #include "problem/report.h"
 
 namespace umbilic {
-
-struct StartingCage;
 
 class Run {
  public:
   /// Fails when the cage has a vertex of valence 2 or above 24 (after one step, which turns faces into vertices of
   /// their size), the weights are unusable, or the refined mesh would have more than kMaxFaces faces (2 million) or the
   /// run take more than kMostRunBytes of memory (driver/memory.h).
-  static Result<Run> create(const Cage& cage, const RunOptions& options);
-  /// The same from a refined mesh. Levels count from the original cage, and those below that of the mesh are left out.
-  /// If the symmetry is known, it is not searched for.
-  static Result<Run> create(const SymmetricCage& cage, const RunOptions& options);
+  ///
+  /// If `start` is given, it begins with that surface, and levels below that one's are left out. Fails, too, if the
+  /// constraints or the start do not fit the cage.
+  static Result<Run> create(const Cage& cage, const RunOptions& options, const Constraints& constraints = {},
+                            const std::optional<SurfaceState>& start = {});
 
   Run(Run&&) noexcept;
   Run& operator=(Run&&) noexcept;
@@ -72,7 +70,7 @@ class Run {
   /// The control mesh of the best surface so far.
   Cage control_mesh() const;
 
-  /// The points of the first vertex of each orbit of `control_mesh`; see driver/symmetric_cage.h.
+  /// The points of the first vertex of each orbit of `control_mesh`; see driver/surface_state.h.
   Points orbit_points() const;
 
   /// The best surface so far, in a compact form for saving.
@@ -89,7 +87,6 @@ class Run {
 
  private:
   struct State;
-  static Result<Run> begin(const StartingCage& start, const RunOptions& options);
   explicit Run(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "driver/contradiction.h"
 #include "driver/gauss_bonnet.h"
+#include "driver/held_faces.h"
 #include "mesh/components.h"
 #include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
@@ -21,9 +23,17 @@ double faces_after(const PolygonMesh& cage, int steps) {
   return steps == 0 ? cage.face_count() : cage.halfedge_count() * std::pow(4.0, steps - 1);
 }
 
-Result<RefinedCage> prepare(const StartingCage& start, int last_level, bool symmetric) {
-  const Placement placement = placement_of(start.cage.vertices);
-  RefinedCage result{0, PolygonMesh(start.cage), placement.to_unit(start.cage.vertices), {}, placement};
+std::optional<Error> refuse_open(const Cage& cage) {
+  if (cage.open.empty()) return std::nullopt;
+  return Error{cage.open};
+}
+
+Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints) {
+  if (auto error = refuse_open(cage)) return *error;
+  Result<std::vector<bool>> held = held_faces(cage, constraints);
+  if (!held) return held.error();
+  const Placement placement = placement_of(cage.vertices);
+  RefinedCage result{0, PolygonMesh(cage), placement.to_unit(cage.vertices), {}, placement, std::move(held).value()};
   const PolygonMesh& mesh = result.mesh;
   const Result<int> required = required_level(mesh);
   if (!required) return required.error();
@@ -32,11 +42,10 @@ Result<RefinedCage> prepare(const StartingCage& start, int last_level, bool symm
   if (faces > kMaxFaces) {
     return Error{fmt::format("level {} would have {:.3g} faces; at most {} are possible", steps, faces, kMaxFaces)};
   }
-  if (symmetric && start.symmetry) {
-    result.symmetry = *start.symmetry;
-    result.symmetry.center = placement.to_unit(result.symmetry.center);
-  } else if (symmetric) {
-    result.symmetry = find_symmetry(mesh, result.control);
+  if (symmetric) result.symmetry = find_symmetry(mesh, result.control);
+  if (!result.held.empty()) {
+    result.own = result.control;
+    result.symmetry = symmetry_that_keeps(result.held, result.symmetry, mesh, result.control);
   }
   const Coordinates coordinates(mesh, result.symmetry);
   result.control = coordinates.control(coordinates.unknowns(result.control));
@@ -48,14 +57,26 @@ RefinedCage refine(RefinedCage cage, int steps) {
     Refinement finer = catmull_clark(cage.mesh);
     cage.symmetry = refined(cage.symmetry, cage.mesh);
     cage.control = (finer.stencil * cage.control).eval();
+    if (!cage.held.empty()) {
+      std::vector<bool> held(cage.mesh.halfedge_count());
+      for (int h = 0; h < cage.mesh.halfedge_count(); ++h) held[h] = cage.held[cage.mesh.face(h)];
+      cage.held = std::move(held);
+      cage.own = (finer.stencil * cage.own).eval();
+    }
     cage.mesh = std::move(finer.mesh);
     ++cage.level;
   }
   return cage;
 }
 
+HeldPoints held_points(const RefinedCage& cage, CapKind cap) {
+  if (cage.held.empty()) return {};
+  const PatchLayout held(cage.mesh, cap, face_orbits(cage.mesh, {}), cage.held, Part::kHeld);
+  return {held.used_control_points(), cage.own};
+}
+
 Cage to_cage(const PolygonMesh& mesh, Points control) {
-  Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count())};
+  Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count()), {}, {}};
   for (int f = 0; f < mesh.face_count(); ++f) {
     cage.faces[f].reserve(mesh.face_size(f));
     for (int i = 0; i < mesh.face_size(f); ++i) cage.faces[f].push_back(mesh.origin(mesh.halfedge(f, i)));
@@ -64,7 +85,7 @@ Cage to_cage(const PolygonMesh& mesh, Points control) {
 }
 
 Result<RefinedCage> refine_to_evaluable(const Cage& cage, int level, bool symmetric) {
-  Result<RefinedCage> prepared = prepare({cage, {}}, level, symmetric);
+  Result<RefinedCage> prepared = prepare(cage, level, symmetric);
   if (!prepared) return prepared.error();
   const int steps = std::max(level, required_level(prepared->mesh).value());
   return refine(std::move(prepared).value(), steps);
@@ -83,12 +104,16 @@ bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Erro
   return false;
 }
 
-Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quadrature)
+Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quadrature,
+                 std::optional<double> fixed_area)
     : cage_(std::move(cage)),
       genera_(find_components(cage_.mesh).genera),
       weights_(weights),
       quadrature_(quadrature),
-      layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry)) {}
+      fixed_area_(fixed_area),
+      layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry), cage_.held, Part::kFree) {
+  if (!cage_.held.empty()) whole_.emplace(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry), cage_.held);
+}
 
 const JetEvaluator& Surface::jets() const {
   if (!jets_) jets_ = std::make_unique<JetEvaluator>(layout_, minimizing_rule(layout_.cap(), weights_, quadrature_));
@@ -96,29 +121,59 @@ const JetEvaluator& Surface::jets() const {
 }
 
 const SurfaceEnergy& Surface::energy() const {
-  if (!energy_) energy_ = std::make_unique<SurfaceEnergy>(jets(), weights_);
+  if (!energy_) energy_ = std::make_unique<SurfaceEnergy>(jets(), weights_, fixed_area_);
   return *energy_;
 }
 
-EnergyReport Surface::report(const Points& control) const {
+SurfaceIntegrals Surface::free_integrals(const Points& control) const {
   if (!reporting_jets_) reporting_jets_ = std::make_unique<JetEvaluator>(layout_, reporting_rule(layout_.cap()));
-  const SurfaceIntegrals integrals = surface_integrals(*reporting_jets_, control);
+  return surface_integrals(*reporting_jets_, control);
+}
+
+SurfaceIntegrals Surface::whole_integrals(const Points& control) const {
+  if (!whole_) return free_integrals(control);
+  if (!whole_reporting_jets_) {
+    whole_reporting_jets_ = std::make_unique<JetEvaluator>(*whole_, reporting_rule(layout_.cap()));
+  }
+  return surface_integrals(*whole_reporting_jets_, control);
+}
+
+double Surface::expected_gaussian() const {
+  const double whole = 2 * std::numbers::pi * mesh().euler_characteristic();
+  if (!whole_) return whole;
+  const PatchLayout held(cage_.mesh, layout_.cap(), face_orbits(cage_.mesh, cage_.symmetry), cage_.held, Part::kHeld);
+  return whole - surface_integrals(JetEvaluator(held, reporting_rule(layout_.cap())), cage_.own).gaussian;
+}
+
+EnergyReport Surface::report(const Points& control) const {
+  const SurfaceIntegrals whole = whole_integrals(control), free = whole_ ? free_integrals(control) : whole;
   EnergyReport report;
-  report.functionals = integrals.functionals;
-  report.area = std::ldexp(integrals.area, 2 * placement().exponent);
-  report.gaussian = integrals.gaussian;
+  report.functionals = whole.functionals;
+  report.area = in_own_units(whole.area);
+  report.gaussian = whole.gaussian;
+  if (whole_) {
+    report.free.emplace();
+    report.free->functionals = free.functionals;
+    report.free->area = in_own_units(free.area);
+    if (fixed_area_) {
+      for (int i = kMvs; i < kFunctionalCount; ++i) report.free->functionals[i] *= *fixed_area_ / free.area;
+      report.free->area_factor = in_own_units(*fixed_area_);
+    }
+  }
   const double defect = gauss_bonnet_defect(report.gaussian, mesh().euler_characteristic());
   report.resolved = defect <= kLargestDefect;
   if (layout_.cap() == CapKind::kNone && !layout_.caps().empty()) {
     for (int i = 0; i < kFunctionalCount; ++i) {
-      if (is_third_order(i)) report.functionals[i] = std::numeric_limits<double>::quiet_NaN();
+      if (!is_third_order(i)) continue;
+      report.functionals[i] = std::numeric_limits<double>::quiet_NaN();
+      if (report.free) report.free->functionals[i] = report.functionals[i];
     }
   }
   const EnergyValue minimized = energy().evaluate(control, nullptr);
   report.quadrature_error = std::abs(objective(report) - minimized.energy);
 
   const double willmore = report.functionals[kWillmore];
-  const double error = defect + std::abs(willmore - willmore_by_minimizing_rule(control, minimized));
+  const double error = defect + std::abs(free.functionals[kWillmore] - willmore_by_minimizing_rule(control, minimized));
   Weights willmore_alone{};
   willmore_alone[kWillmore] = 1;
   report.below_bound = below(lower_bound(), objective(report), report.quadrature_error) ||
@@ -128,7 +183,8 @@ EnergyReport Surface::report(const Points& control) const {
   return report;
 }
 
-/// `value` is that of the weighted functional. Of a part of second order a B + b W = a (4 W - 2 integral of K) + b W.
+/// Of the free faces. `value` is that of the weighted functional. Of a part of second order a B + b W = a (4 W - 2
+/// integral of K) + b W.
 double Surface::willmore_by_minimizing_rule(const Points& control, const EnergyValue& value) const {
   const double a = weights_[kBending], b = weights_[kWillmore];
   if (a + b > 0) return (value.second + 2 * a * value.gaussian) / (4 * a + b);
@@ -138,9 +194,10 @@ double Surface::willmore_by_minimizing_rule(const Points& control, const EnergyV
 }
 
 double Surface::objective(const EnergyReport& report) const {
+  const std::array<double, kFunctionalCount>& functionals = report.free ? report.free->functionals : report.functionals;
   double sum = 0;
   for (int i = 0; i < kFunctionalCount; ++i) {
-    if (weights_[i] != 0) sum += weights_[i] * report.functionals[i];
+    if (weights_[i] != 0) sum += weights_[i] * functionals[i];
   }
   return sum;
 }

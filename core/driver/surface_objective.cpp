@@ -4,6 +4,7 @@
 #include "driver/surface_objective.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "driver/contradiction.h"
@@ -21,11 +22,11 @@ constexpr double kDefectSlack = 2;
 
 }  // namespace
 
-SurfaceObjective::SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, int euler_characteristic,
+SurfaceObjective::SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, double gaussian,
                                    const Points& start, double lower_bound)
-    : energy_(energy), unknowns_(unknowns), euler_characteristic_(euler_characteristic) {
+    : energy_(energy), unknowns_(unknowns), gaussian_(gaussian) {
   const EnergyValue value = energy.evaluate(start, nullptr);
-  const double defect = gauss_bonnet_defect(value.gaussian, euler_characteristic);
+  const double defect = std::abs(value.gaussian - gaussian);
   start_energy_ = value.energy;
   least_energy_ = std::min((1 - kMostAllowed) * lower_bound, start_energy_);
   start_is_whole_ = defect <= kLargestDefect;
@@ -35,7 +36,7 @@ SurfaceObjective::SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& 
 void SurfaceObjective::evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const {
   unknowns_.control(unknowns, control_);
   const EnergyValue value = energy_.evaluate(control_, &gradient_);
-  last_defect_ = gauss_bonnet_defect(value.gaussian, euler_characteristic_);
+  last_defect_ = std::abs(value.gaussian - gaussian_);
   const bool credible = last_defect_ <= largest_defect_ && value.energy >= least_energy_;
   result.value = credible ? value.energy : std::numeric_limits<double>::infinity();
   unknowns_.pull_back(gradient_, result.gradient);

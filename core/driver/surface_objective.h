@@ -9,14 +9,15 @@
 
 namespace umbilic {
 
-/// Where the integral of the Gaussian curvature leaves 2 pi times the Euler characteristic, curvature hides between the
-/// samples, as in the necks of a surface that falls apart, and the energy there is not the surface's: it counts as
-/// infinite, so that the line search steps back. So does an energy far below what any closed surface has. A start that
-/// is itself at fault counts as it is, and what follows may be little worse.
+/// Where the integral of the Gaussian curvature leaves what the topology makes it (driver/gauss_bonnet.h), curvature
+/// hides between the samples, as in the necks of a surface that falls apart, and the energy there is not the surface's:
+/// it counts as infinite, so that the line search steps back. So does an energy far below what any closed surface has.
+/// A start that is itself at fault counts as it is, and what follows may be little worse.
 class SurfaceObjective : public Objective {
  public:
-  /// `energy` and `unknowns` must outlive the objective. At the start the value is finite whenever the energy is.
-  SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, int euler_characteristic, const Points& start,
+  /// `energy` and `unknowns` must outlive the objective; `gaussian` is what the integral of the Gaussian curvature must
+  /// be. At the start the value is finite whenever the energy is.
+  SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, double gaussian, const Points& start,
                    double lower_bound = 0);
 
   void evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const override;
@@ -31,7 +32,7 @@ class SurfaceObjective : public Objective {
  private:
   const SurfaceEnergy& energy_;
   const Unknowns& unknowns_;
-  int euler_characteristic_;
+  double gaussian_;
   double start_energy_, least_energy_;
   bool start_is_whole_;
   mutable double largest_defect_, last_defect_ = 0;

@@ -55,10 +55,10 @@ EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& ru
 void EnergyHessian::move_to(const Points& control, const EnergyValue& value) {
   patches_.move_to(control);
   for (int f = 0; f < kFunctionalCount; ++f) {
-    integrand_.weights[f] = weights_[f] * (is_third_order(f) ? value.area : 1);
+    integrand_.weights[f] = weights_[f] * (is_third_order(f) ? value.area_factor : 1);
   }
   integrand_.third_order = third_order(weights_);
-  integrand_.area_factor = integrand_.third_order ? value.third : 0;
+  integrand_.area_factor = integrand_.third_order ? value.area_slope : 0;
 }
 
 const double* EnergyHessian::patch(int set, int patch) {

@@ -5,14 +5,16 @@
 
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "energy/energy_kernels.h"
 
 namespace umbilic {
 
-SurfaceEnergy::SurfaceEnergy(const JetEvaluator& jets, const Weights& weights)
+SurfaceEnergy::SurfaceEnergy(const JetEvaluator& jets, const Weights& weights, std::optional<double> fixed_area)
     : jets_(jets),
       weights_(weights),
+      fixed_area_(fixed_area),
       second_order_(weights[kBending] != 0 || weights[kWillmore] != 0),
       third_order_(umbilic::third_order(weights)) {}
 
@@ -39,7 +41,9 @@ EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, bool gradien
   value.third = sums.third;
   value.area = sums.area;
   value.gaussian = sums.gaussian;
-  value.energy = value.second + value.area * value.third;
+  value.area_factor = fixed_area_.value_or(value.area);
+  value.area_slope = fixed_area_ ? 0 : value.third;
+  value.energy = value.second + value.area_factor * value.third;
   value.regularity = sums.smallest * jets_.layout().face_count() / value.area;
   return value;
 }
@@ -52,11 +56,11 @@ EnergyValue SurfaceEnergy::evaluate(const Points& control, Points* gradient) con
     if (third_order_) {
       const std::size_t third = second_order_ ? 1 : 0;
       if (third == 1) {
-        *gradient += value.area * gradients_[1];
+        *gradient += value.area_factor * gradients_[1];
       } else {
-        *gradient *= value.area;
+        *gradient *= value.area_factor;
       }
-      *gradient += value.third * gradients_[third + 1];
+      if (has_area_product()) *gradient += value.area_slope * gradients_[third + 1];
     }
   }
   return value;

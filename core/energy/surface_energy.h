@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "energy/functional.h"
 #include "surface/jets.h"
@@ -12,11 +13,13 @@
 namespace umbilic {
 
 struct EnergyValue {
-  double energy = 0;  ///< second + area * third
+  double energy = 0;  ///< second + area_factor * third
   double second = 0;  ///< weighted integral of the second-order densities
   double third = 0;   ///< weighted integral of the third-order densities, without the factor area
   double area = 0;
-  double gaussian = 0;  ///< integral of the Gaussian curvature
+  double area_factor = 0;  ///< the area, or the constant that replaces it
+  double area_slope = 0;   ///< derivative of the energy by the area: `third`, or 0 if the factor is a constant
+  double gaussian = 0;     ///< integral of the Gaussian curvature
   /// Smallest |X_u x X_v| divided by its mean. Tends to 0 when a patch collapses or folds.
   double regularity = 0;
 };
@@ -24,26 +27,31 @@ struct EnergyValue {
 /// Reuses its working memory between evaluations, so only one thread may evaluate at a time.
 class SurfaceEnergy {
  public:
-  /// `jets` must outlive the energy.
-  SurfaceEnergy(const JetEvaluator& jets, const Weights& weights);
+  /// `jets` must outlive the energy. `fixed_area` replaces the factor area of third-order functionals, if given. That
+  /// is for surfaces whose size is held: with their own area, what is held would pull on what is free to make it
+  /// smaller.
+  SurfaceEnergy(const JetEvaluator& jets, const Weights& weights, std::optional<double> fixed_area = {});
 
   /// The result is not finite if the surface is not regular. `gradient`, if given, is control_count x 3.
   EnergyValue evaluate(const Points& control, Points* gradient) const;
 
-  /// Also gives the gradients of `EnergyValue::third` and `area`, control_count x 3. Some functional must be of third
-  /// order.
+  /// Also gives the gradients of `EnergyValue::third` and `area`, control_count x 3. The energy must contain their
+  /// product.
   EnergyValue evaluate_factors(const Points& control, Points& third, Points& area) const;
 
   const PatchLayout& layout() const { return jets_.layout(); }
   const Weights& weights() const { return weights_; }
   /// Whether some functional of third order has a nonzero weight.
   bool third_order() const { return third_order_; }
+  /// Whether it contains the product of the area and a third-order integral.
+  bool has_area_product() const { return third_order_ && !fixed_area_; }
 
  private:
   EnergyValue evaluate_channels(const Points& control, bool gradient, std::vector<Points>& gradients) const;
 
   const JetEvaluator& jets_;
   Weights weights_;
+  std::optional<double> fixed_area_;
   bool second_order_, third_order_;
   mutable std::vector<Points> gradients_;  // those of the second-order integral, the third-order one and the area
 };

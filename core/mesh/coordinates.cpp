@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace umbilic {
 namespace {
@@ -65,8 +66,11 @@ struct FixedSubspace {
 
 Coordinates::Coordinates(int vertex_count) : vertex_count_(vertex_count), count_(3 * vertex_count) {}
 
-Coordinates::Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group) : Coordinates(mesh.vertex_count()) {
-  if (group.generators.empty()) return;
+Coordinates::Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group, HeldPoints held)
+    : Coordinates(mesh.vertex_count()) {
+  if (group.generators.empty() && !held.any()) return;
+  cartesian_ = group.generators.empty();
+  held_ = std::move(held);
   offset_ = group.center;
   count_ = 0;
   rows_.resize(vertex_count_);
@@ -97,8 +101,10 @@ Coordinates::Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group) : 
         }
       }
     }
+    if (held_.any() && held_.held[first]) fixed.dimension = 0;
     const Matrix3d basis = fixed.basis / std::sqrt(static_cast<double>(orbit.size()));
     for (const int v : orbit) {
+      assert(!held_.any() || held_.held[v] == held_.held[first]);
       rows_[v].first = count_;
       rows_[v].dimension = fixed.dimension;
       rows_[v].basis = (rows_[v].basis * basis).eval();
@@ -121,6 +127,10 @@ void Coordinates::control(const Eigen::VectorXd& unknowns, Points& control) cons
     return;
   }
   for (int v = 0; v < vertex_count_; ++v) {
+    if (held_.any() && held_.held[v]) {
+      control.row(v) = held_.points.row(v);
+      continue;
+    }
     const Rows& rows = rows_[v];
     Vector3 point = offset_;
     for (int i = 0; i < rows.dimension; ++i) point += rows.basis.col(i) * unknowns[rows.first + i];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Linear coordinates of the control points: all of them, or those that are symmetric under a group.
+/// Linear coordinates of the control points: all of them, or those that are symmetric under a group, without those that
+/// are held.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -10,12 +11,21 @@
 
 namespace umbilic {
 
+/// Control points that do not move, and where they are.
+struct HeldPoints {
+  std::vector<bool> held;  ///< of each vertex; empty if none is held
+  Points points;           ///< of all vertices; only those of held ones count
+
+  bool any() const { return !held.empty(); }
+};
+
 /// control = offset + B unknowns, with B^T B = I.
 ///
 /// Under a symmetry group only one vertex of each orbit is free, and only in the directions that its stabilizer fixes:
 /// a vertex on a mirror plane has two unknowns, one on a rotation axis has one. Vertices of one orbit share the same
-/// columns of B, and each has a block of at most three, so every function here takes linear time. Versions with a
-/// result parameter resize it when needed and allocate nothing else.
+/// columns of B, and each has a block of at most three, so every function here takes linear time. A held vertex has no
+/// unknowns: its control point is the held one, to the last bit. Versions with a result parameter resize it when needed
+/// and allocate nothing else.
 class Coordinates {
  public:
   /// The rows of B of one vertex: its position is offset + basis unknowns[first, first + dimension).
@@ -27,11 +37,14 @@ class Coordinates {
 
   /// All coordinates are free: B = I, offset 0.
   explicit Coordinates(int vertex_count);
-  /// Coordinates of the points that are symmetric under the group, about its center.
-  Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group);
+  /// Coordinates of the points that are symmetric under the group, about its center. The group must map held points to
+  /// held points.
+  Coordinates(const PolygonMesh& mesh, const SymmetryGroup& group, HeldPoints held = {});
 
   /// Whether B = I.
   bool free() const { return rows_.empty(); }
+  /// Whether each vertex has its own x, y and z as unknowns, or none if it is held.
+  bool cartesian() const { return cartesian_; }
   int count() const { return count_; }  ///< number of unknowns
   int vertex_count() const { return vertex_count_; }
 
@@ -69,9 +82,11 @@ class Coordinates {
 
   int vertex_count_ = 0;
   int count_ = 0;
-  Vector3 offset_ = Vector3::Zero();  ///< the same for all vertices
-  std::vector<Rows> rows_;            ///< one per vertex; empty if every coordinate is free
-  std::vector<int> first_of_orbit_;   ///< first vertex of each orbit; empty if every coordinate is free
+  bool cartesian_ = true;
+  Vector3 offset_ = Vector3::Zero();  ///< the same for all vertices that are not held
+  HeldPoints held_;
+  std::vector<Rows> rows_;           ///< one per vertex; empty if every coordinate is free
+  std::vector<int> first_of_orbit_;  ///< first vertex of each orbit; empty if every coordinate is free
 };
 
 }  // namespace umbilic

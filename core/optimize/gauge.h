@@ -26,6 +26,9 @@ struct Gauge {
   bool scaling = true;
   bool conformal = false;  ///< the special conformal maps
 
+  /// That of a surface of which a part is held.
+  static constexpr Gauge none() { return {false, false, false, false}; }
+
   int dimension() const { return 3 * translations + 3 * rotations + scaling + 3 * conformal; }
 };
 

@@ -8,10 +8,10 @@
 namespace umbilic {
 
 HessianAssembly::HessianAssembly(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
-                                 const QuadratureRule& rule, double umbilic_eta)
+                                 const QuadratureRule& rule, double umbilic_eta, std::optional<double> fixed_area)
     : unknowns_(unknowns),
       jets_(layout, rule),
-      energy_(jets_, weights),
+      energy_(jets_, weights, fixed_area),
       assembly_(layout, unknowns.coordinates()),
       sobolev_(layout, weights),
       hessian_(layout, rule, weights, umbilic_eta) {}
@@ -29,8 +29,8 @@ bool HessianAssembly::advance() {
   switch (stage_) {
     case Stage::kFactors: {
       EnergyValue value;
-      factors_.resize(unknowns_.count(), energy_.third_order() ? 2 : 0);
-      if (energy_.third_order()) {
+      factors_.resize(unknowns_.count(), energy_.has_area_product() ? 2 : 0);
+      if (energy_.has_area_product()) {
         Points third, area;
         value = energy_.evaluate_factors(control_, third, area);
         factors_ << unknowns_.pull_back(area), unknowns_.pull_back(third);
@@ -38,7 +38,7 @@ bool HessianAssembly::advance() {
         value = energy_.evaluate(control_, nullptr);
       }
       hessian_.move_to(control_, value);
-      sobolev_.move_to(control_, value.area);
+      sobolev_.move_to(control_, value.area_factor);
       assembly_.clear(hessian_sums_);
       assembly_.clear(sobolev_sums_);
       cursor_ = {};

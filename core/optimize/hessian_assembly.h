@@ -3,10 +3,11 @@
 /// The Hessian of the functional and the Sobolev matrix over the optimizer's unknowns, assembled in parts.
 ///
 /// Hessian = H + u v^T + v u^T. H sums the second derivatives of the patches; u and v are the gradients of the area and
-/// of the third-order integral.
+/// of the third-order integral, whose product the energy contains unless its factor area is fixed.
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <optional>
 
 #include "energy/energy_hessian.h"
 #include "optimize/patch_assembly.h"
@@ -19,9 +20,10 @@ class HessianAssembly {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  /// `layout` and `unknowns` must outlive the assembly; `umbilic_eta` as in EnergyHessian.
+  /// `layout` and `unknowns` must outlive the assembly; `umbilic_eta` as in EnergyHessian,
+  /// `fixed_area` as in SurfaceEnergy.
   HessianAssembly(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
-                  const QuadratureRule& rule, double umbilic_eta = kUmbilicEta);
+                  const QuadratureRule& rule, double umbilic_eta = kUmbilicEta, std::optional<double> fixed_area = {});
 
   /// Begins to assemble the matrices at a surface with these control points.
   void begin(const Points& control);
@@ -33,7 +35,7 @@ class HessianAssembly {
 
   /// The lower triangle of hessian_factor * H + sobolev_factor * S.
   Matrix combine(double hessian_factor, double sobolev_factor) const;
-  /// The columns u and v; none if the functional has no third-order part.
+  /// The columns u and v; none if the energy does not contain their product.
   const Eigen::MatrixXd& factors() const { return factors_; }
 
  private:

@@ -12,8 +12,11 @@
 namespace umbilic {
 
 HessianMetric::HessianMetric(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
-                             const QuadratureRule& rule)
-    : unknowns_(unknowns), assembly_(layout, unknowns, weights, rule, kMetricUmbilicEta), mu_(kStartMu) {}
+                             const QuadratureRule& rule, const Gauge& gauge, std::optional<double> fixed_area)
+    : unknowns_(unknowns),
+      scaling_(gauge.scaling),
+      assembly_(layout, unknowns, weights, rule, kMetricUmbilicEta, fixed_area),
+      mu_(kStartMu) {}
 
 void HessianMetric::begin(const Points& control) {
   assembly_.begin(control);
@@ -52,7 +55,7 @@ void HessianMetric::end_factoring() {
     return;
   }
   fall_ = rose_ ? kMuFactor : std::min(fall_ * kMuFactor, kLargestMuFall);
-  if (factor_.succeeded()) fixed_size_.set(size_gradient_, factor_.solve(size_gradient_));
+  if (factor_.succeeded() && scaling_) fixed_size_.set(size_gradient_, factor_.solve(size_gradient_));
 }
 
 Eigen::VectorXd HessianMetric::solve(const Eigen::VectorXd& gradient) const {

@@ -4,6 +4,7 @@
 /// definite.
 #pragma once
 
+#include "optimize/gauge.h"
 #include "optimize/hessian_assembly.h"
 #include "optimize/surface_metric.h"
 #include "solve/sparse_cholesky.h"
@@ -11,11 +12,12 @@
 
 namespace umbilic {
 
-/// metric = H + u v^T + v u^T + mu S, restricted to the directions d that keep the surface's size: a . d = 0.
+/// metric = H + u v^T + v u^T + mu S, restricted to the directions d that keep the surface's size, a . d = 0, if the
+/// gauge contains scaling.
 ///
-/// Why the size is kept: energies have degree 0 in the control points x (optimize/gauge.h), so x . Hessian x = 0 and
-/// Hessian x = -gradient. Without the restriction Newton's step would only change the scale, and the Hessian would be
-/// indefinite wherever the gradient is not 0.
+/// Why the size is then kept: energies have degree 0 in the control points x (optimize/gauge.h), so x . Hessian x = 0
+/// and Hessian x = -gradient. Without the restriction Newton's step would only change the scale, and the Hessian would
+/// be indefinite wherever the gradient is not 0.
 ///
 /// Which a: with a third-order part, a = u, the gradient of the area. On a . d = 0 the rank-two term then vanishes, and
 /// only H + mu S must be factored. Without one, a is the direction of scaling itself.
@@ -24,9 +26,9 @@ namespace umbilic {
 /// has not had to grow.
 class HessianMetric : public SurfaceMetric {
  public:
-  /// `layout` and `unknowns` must outlive the metric.
-  HessianMetric(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
-                const QuadratureRule& rule);
+  /// `layout` and `unknowns` must outlive the metric; `fixed_area` as in SurfaceEnergy.
+  HessianMetric(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights, const QuadratureRule& rule,
+                const Gauge& gauge = {}, std::optional<double> fixed_area = {});
 
   void begin(const Points& control) override;
   bool advance() override;
@@ -46,6 +48,7 @@ class HessianMetric : public SurfaceMetric {
   void end_factoring();
 
   const Unknowns& unknowns_;
+  bool scaling_;  // whether the gauge contains it
   HessianAssembly assembly_;
   SparseCholesky factor_{SparseCholesky::Pivots::kPositive};
   bool assembled_ = false, factoring_ = false, ready_ = false, settled_ = false, rose_ = false;

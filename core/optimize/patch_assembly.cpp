@@ -9,6 +9,7 @@
 #include "optimize/patch_assembly.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 namespace umbilic {
@@ -50,16 +51,15 @@ int net_count(const PatchSet& patches) { return patches.columns - coefficient_co
 
 }  // namespace
 
-PatchAssembly::PatchAssembly(const PatchLayout& layout, const Coordinates& coordinates)
-    : layout_(layout), scalar_(false) {
+PatchAssembly::PatchAssembly(const PatchLayout& layout, const Coordinates& coordinates, bool scalar)
+    : layout_(layout), scalar_(scalar) {
+  assert(!scalar || coordinates.cartesian());
   std::vector<Coordinates::Block> blocks(layout.control_count());
-  for (int v = 0; v < layout.control_count(); ++v) blocks[v] = coordinates.block(v);
-  build(std::move(blocks));
-}
-
-PatchAssembly::PatchAssembly(const PatchLayout& layout) : layout_(layout), scalar_(true) {
-  std::vector<Coordinates::Block> blocks(layout.control_count());
-  for (int v = 0; v < layout.control_count(); ++v) blocks[v] = {v, 1, Vector3::UnitX()};
+  for (int v = 0; v < layout.control_count(); ++v) {
+    Coordinates::Block block = coordinates.block(v);
+    if (scalar && block.dimension > 0) block = {block.first / 3, 1, Vector3::UnitX()};
+    blocks[v] = std::move(block);
+  }
   build(std::move(blocks));
 }
 

@@ -47,10 +47,9 @@ struct PatchSums {
 /// patches are added. The sums are separate objects, so that several matrices share one pattern.
 class PatchAssembly {
  public:
-  /// For a matrix over the unknowns of `coordinates`.
-  PatchAssembly(const PatchLayout& layout, const Coordinates& coordinates);
-  /// For a matrix over the control points, with one row and column for each.
-  explicit PatchAssembly(const PatchLayout& layout);
+  /// For a matrix over the unknowns of `coordinates`. If these are Cartesian, it may be `scalar`: with one row and
+  /// column for the three unknowns of each control point.
+  PatchAssembly(const PatchLayout& layout, const Coordinates& coordinates, bool scalar = false);
 
   int size() const { return static_cast<int>(outer_.size()) - 1; }
   std::size_t nonzeros() const { return inner_.size(); }

@@ -8,11 +8,12 @@
 
 namespace umbilic {
 
-SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns)
+SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns, const Gauge& gauge)
     : energy_(energy),
       unknowns_(unknowns),
-      scalar_(unknowns.coordinates().free() && !unknowns.coarse()),
-      assembly_(scalar_ ? PatchAssembly(energy.layout()) : PatchAssembly(energy.layout(), unknowns.coordinates())),
+      scalar_(unknowns.coordinates().cartesian() && !unknowns.coarse()),
+      scaling_(gauge.scaling),
+      assembly_(energy.layout(), unknowns.coordinates(), scalar_),
       form_(energy.layout(), energy.weights()) {}
 
 void SobolevMetric::begin(const Points& control) {
@@ -23,7 +24,7 @@ void SobolevMetric::begin(const Points& control) {
 bool SobolevMetric::advance() {
   switch (stage_) {
     case Stage::kArea:
-      form_.move_to(control_, energy_.evaluate(control_, nullptr).area);
+      form_.move_to(control_, energy_.evaluate(control_, nullptr).area_factor);
       assembly_.clear(sums_);
       cursor_ = {};
       stage_ = Stage::kPatches;
@@ -46,7 +47,7 @@ bool SobolevMetric::advance() {
     }
     case Stage::kFactor:
       if (!factor_.advance()) break;
-      if (factor_.succeeded()) {
+      if (factor_.succeeded() && scaling_) {
         const Eigen::VectorXd size = unknowns_.pull_back(scaling_direction(control_));
         fixed_size_.set(size, solve_freely(size));
       }

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "optimize/gauge.h"
 #include "optimize/patch_assembly.h"
 #include "optimize/sobolev_form.h"
 #include "optimize/surface_metric.h"
@@ -14,13 +15,14 @@
 
 namespace umbilic {
 
-/// Assembles the matrix, some patches at a time, and factors it. If every coordinate is free, one scalar matrix serves
-/// all three coordinates. Directions are projected so that they keep the moment of the control points about their
-/// centroid: unlike the energy, the product is not invariant under scaling, and surfaces would grow from step to step.
+/// Assembles the matrix, some patches at a time, and factors it. If each vertex has its own x, y and z as unknowns, one
+/// scalar matrix serves all three. If the gauge contains scaling, directions are projected so that they keep the moment
+/// of the control points about their centroid: unlike the energy, the product is not invariant under scaling, and
+/// surfaces would grow from step to step.
 class SobolevMetric : public SurfaceMetric {
  public:
   /// `energy` and `unknowns` must outlive the metric.
-  SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns);
+  SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns, const Gauge& gauge = {});
 
   void begin(const Points& control) override;
   bool advance() override;
@@ -37,7 +39,7 @@ class SobolevMetric : public SurfaceMetric {
 
   const SurfaceEnergy& energy_;
   const Unknowns& unknowns_;
-  bool scalar_;
+  bool scalar_, scaling_;
   PatchAssembly assembly_;
   SobolevForm form_;
   SparseCholesky factor_{SparseCholesky::Pivots::kPositive};

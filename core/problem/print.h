@@ -4,6 +4,7 @@
 /// number; those that are not finite become null. An empty optional member is omitted.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "base/types.h"
@@ -70,6 +71,16 @@ class JsonPrinter {
       print(value);
     }
     close(']');
+  }
+  /// On one line, as few values are.
+  template <class T, std::size_t count>
+  void print(const std::array<T, count>& values) {
+    text_ += '[';
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i > 0) text_ += layout_ == Layout::kIndented ? ", " : ",";
+      print(values[i]);
+    }
+    text_ += ']';
   }
   template <class... Alternatives>
   void print(const std::variant<Alternatives...>& value) {

@@ -14,6 +14,7 @@
 
 #include "base/types.h"
 #include "cage/generate.h"
+#include "problem/constraints.h"
 #include "problem/members.h"
 #include "problem/options.h"
 
@@ -35,9 +36,26 @@ struct GeneratedCage {
     if (has.spread) visit("spread", self.options.spread, "Of frames two-N: distance of the arms from the axis");
     if (has.ratio) visit("ratio", self.options.ratio, "Of the torus: minor radius / major radius");
     if (has.segments) {
-      visit.pair("segments", self.options.major_segments, self.options.minor_segments,
-                 "Of the torus: quads around the axis and around the tube");
+      // Printed as they are taken, so that a problem does not depend on the defaults.
+      auto options = with_segments(self);
+      visit.pair(
+          "segments", options->major_segments, options->minor_segments,
+          "Of the torus: quads around the axis and around the tube. Of open cages: quads around the boundary (of "
+          "n-sided: along a side) and across");
     }
+    if (has.radius) visit("radius", self.options.radius, "Of disk, cylinder, spherical-cap and n-sided");
+    if (has.half_angle) visit("half_angle", self.options.half_angle, "Of spherical-cap: degrees from pole to boundary");
+    if (has.height) visit("height", self.options.height, "Of cylinder and catenoid: from boundary to boundary");
+    if (has.waist) visit("waist", self.options.waist, "Of catenoid: the smallest radius");
+    if (has.sides) visit("sides", self.options.sides, "Of n-sided: how many");
+  }
+
+ private:
+  /// The options, to be read.
+  static CageOptions* with_segments(GeneratedCage& self) { return &self.options; }
+  /// The options with default segments, to be printed.
+  static std::optional<const CageOptions> with_segments(const GeneratedCage& self) {
+    return with_default_segments(self.generator, self.options);
   }
 };
 
@@ -68,14 +86,8 @@ struct CagePath {
 
 using CageInput = std::variant<GeneratedCage, CageText, CagePath>;
 
-/// What the surface must keep besides its symmetry. Empty so far.
-struct Constraints {
-  template <class Visit, class Self>
-  static void members(Visit&&, Self&) {}
-};
-
 /// A surface of a run in compact form: the control mesh `level` Catmull-Clark steps from the cage, given by the points
-/// of the first vertex of each orbit of the symmetry that the run keeps. See driver/symmetric_cage.h.
+/// of the first vertex of each orbit of the symmetry that the run keeps. See driver/surface_state.h.
 struct SurfaceState {
   int level = 0;
   Points points;
@@ -103,7 +115,7 @@ struct Problem {
   static void members(Visit&& visit, Self& self) {
     visit.required("cage", self.cage, "The cage: generated, or the text of a file");
     visit.required("terms", self.options.weights, "Weights of the functionals whose sum is minimized, 0 unless given");
-    visit("constraints", self.constraints, "There are none yet");
+    visit("constraints", self.constraints, "What the surface keeps besides its topology");
     visit("options", self.options, "How the sum is minimized");
     visit("start", self.start, "Where the run goes on, instead of beginning with the cage");
   }

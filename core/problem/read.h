@@ -4,6 +4,7 @@
 /// "options.levels[1]: expected a whole number".
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -74,6 +75,23 @@ class JsonReader {
     if (!array) return fail("expected an array");
     values.resize(array->size());
     for (std::size_t i = 0; i < values.size() && ok(); ++i) read_element((*array)[i], i, values[i]);
+  }
+
+  template <class T, std::size_t count>
+  void read(const JsonNode& node, std::array<T, count>& values) {
+    const auto* array = node.get_if<JsonNode::Array>();
+    if (!array || array->size() != count) return fail("expected an array of " + std::to_string(count));
+    for (std::size_t i = 0; i < count && ok(); ++i) read_element((*array)[i], i, values[i]);
+  }
+
+  /// true or false, or else what the other alternative reads.
+  template <class T>
+  void read(const JsonNode& node, std::variant<bool, T>& value) {
+    if (const bool* flag = node.get_if<bool>()) {
+      value = *flag;
+    } else {
+      read(node, value.template emplace<T>());
+    }
   }
 
   template <class T>

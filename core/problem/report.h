@@ -28,6 +28,23 @@ struct FunctionalValues {
   }
 };
 
+/// What is minimized where parts of a surface are held: the energies of its free faces.
+struct FreeEnergies {
+  std::array<double, kFunctionalCount> functionals{};  ///< third-order ones with the factor `area_factor`
+  double area = 0;
+  double area_factor = 0;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    for (int i = 0; i < kFunctionalCount; ++i) {
+      visit(kFunctionalNames[i], self.functionals[i], "Over the free faces; third-order functionals with area_factor");
+    }
+    visit("area", self.area, "Area of the free faces");
+    visit("area_factor", self.area_factor,
+          "The constant factor of third-order functionals: the area of the cage's own surface");
+  }
+};
+
 struct EnergyReport {
   /// In the order of `Functional`; third-order values include the factor area. NaN where the quantity diverges.
   std::array<double, kFunctionalCount> functionals{};
@@ -41,7 +58,8 @@ struct EnergyReport {
   /// origin (cage/placement.h), where it is no more than other rounding errors; NaN where the quantity diverges. See
   /// driver/input_rounding.h.
   std::optional<FunctionalValues> input_rounding{};
-  bool resolved = true;  ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
+  std::optional<FreeEnergies> free{};  ///< if faces are held
+  bool resolved = true;                ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
   /// Whether an energy is below what any closed surface of the genus has, see driver/contradiction.h.
   bool below_bound = false;
   /// Whether the surface is proved to be embedded: connected, and with its error below Li & Yau's 8 pi of `willmore`.
@@ -58,6 +76,7 @@ struct EnergyReport {
     visit("area", self.area, "Area of the surface");
     visit("gaussian", self.gaussian, "Integral of the Gaussian curvature");
     visit("quadrature_error", self.quadrature_error, "By how much the reporting and the minimizing rule differ");
+    visit("free", self.free, "What is minimized where faces are held: the energies of those that are free");
     visit("resolved", self.resolved, "Whether the Gaussian curvature is that of a closed surface");
     visit("below_bound", self.below_bound, "Whether an energy is below what any closed surface of the genus has");
     visit("embedded", self.embedded, "Whether the Willmore energy proves that the surface does not touch itself");

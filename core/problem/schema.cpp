@@ -87,6 +87,13 @@ class SchemaPrinter {
     out_("type", "array");
     items(T());
   }
+  template <class T, std::size_t count>
+  void describe(const std::array<T, count>&) {
+    out_("type", "array");
+    items(T());
+    out_("minItems", static_cast<int>(count));
+    out_("maxItems", static_cast<int>(count));
+  }
   template <class... Alternatives>
   void describe(const std::variant<Alternatives...>&) {
     out_.begin_member("oneOf");

@@ -58,8 +58,8 @@ Result<T> parse_value(std::string_view text) {
   const Result<JsonNode> root = parse_json(text);
   if (!root) return root.error();
   JsonReader reader;
-  T value;
-  reader.read(*root, value);
+  Result<T> value{T()};
+  reader.read(*root, value.value());
   if (!reader.ok()) return reader.error();
   return value;
 }
@@ -84,9 +84,8 @@ Result<Problem> parse_problem(std::string_view text) {
   }
   Result<Report> report = document.take<Report>();
   if (!report) return report.error();
-  Problem problem = std::move(report->problem);
-  if (report->surface) problem.start = std::move(report->surface);
-  return problem;
+  if (report->surface) report->problem.start = std::move(report->surface);
+  return std::move(report->problem);
 }
 
 Result<Report> parse_report(std::string_view text) {

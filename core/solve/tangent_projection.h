@@ -9,7 +9,7 @@
 namespace umbilic {
 
 /// The projection of M^-1 g to the directions d with a . d = 0, orthogonal in the metric M: the solution of M d +
-/// lambda a = g, a . d = 0.
+/// lambda a = g, a . d = 0. M^-1 g itself until `set` is called.
 class TangentProjection {
  public:
   /// `a` is the gradient of the function, `solved` is M^-1 a.
@@ -19,6 +19,7 @@ class TangentProjection {
   }
   /// Projects `direction` = M^-1 g.
   Eigen::VectorXd project(const Eigen::VectorXd& direction) const {
+    if (a_.size() == 0) return direction;
     return direction - (a_.dot(direction) / a_.dot(solved_)) * solved_;
   }
 

@@ -78,8 +78,10 @@ std::vector<int> faces_around(const PolygonMesh& mesh, int vertex, int rings) {
   return faces;
 }
 
-/// Shapes of smooth caps. Each vertex gets the widest cap whose faces no other cap of the same width would use.
-std::vector<CapShape> widest_shapes(const PolygonMesh& mesh, const std::vector<int>& extraordinary) {
+/// Shapes of smooth caps. Each vertex gets the widest cap whose faces no other cap of the same width would use, and
+/// that does not mix held faces with free ones. Caps of one ring may mix them.
+std::vector<CapShape> widest_shapes(const PolygonMesh& mesh, const std::vector<int>& extraordinary,
+                                    const std::vector<bool>& held) {
   std::vector<CapShape> shapes(extraordinary.size(), CapShape::kOneRing);
   for (const CapShape wider : {CapShape::kTwoRing, CapShape::kFourRing}) {
     std::vector<std::vector<int>> faces;
@@ -89,7 +91,10 @@ std::vector<CapShape> widest_shapes(const PolygonMesh& mesh, const std::vector<i
       for (const int f : faces.back()) ++covered[f];
     }
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      if (std::all_of(faces[i].begin(), faces[i].end(), [&](int f) { return covered[f] == 1; })) shapes[i] = wider;
+      const auto alone = [&](int f) { return covered[f] == 1; };
+      const auto as_first = [&](int f) { return held[f] == held[faces[i].front()]; };
+      const bool mixed = !held.empty() && !std::all_of(faces[i].begin(), faces[i].end(), as_first);
+      if (!mixed && std::all_of(faces[i].begin(), faces[i].end(), alone)) shapes[i] = wider;
     }
   }
   return shapes;
@@ -123,11 +128,14 @@ Orbits single_faces(const PolygonMesh& mesh) {
 
 PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap) : PatchLayout(mesh, cap, single_faces(mesh)) {}
 
-PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& face_orbits)
-    : cap_(cap), control_count_(mesh.vertex_count()), point_count_(control_count_), face_count_(mesh.face_count()) {
+PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& face_orbits, const std::vector<bool>& held,
+                         Part part)
+    : cap_(cap), control_count_(mesh.vertex_count()), point_count_(control_count_), face_count_(0) {
+  const auto covers = [&](int f) { return part == Part::kAll || (!held.empty() && held[f]) == (part == Part::kHeld); };
+  for (int f = 0; f < mesh.face_count(); ++f) face_count_ += covers(f);
   Representatives representatives(face_orbits);
   std::vector<bool> capped(mesh.face_count(), false);
-  for (Cap& here : find_caps(mesh)) {
+  for (Cap& here : find_caps(mesh, held)) {
     here.first_coefficient = point_count_;
     const RingNet& net = cap_sector(here.valence, here.shape).net();
     const std::vector<int> spoke = spokes(mesh, here.vertex);
@@ -138,6 +146,7 @@ PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& fac
       for (int sector = 0; sector < here.valence; ++sector) {
         const int h = sector_cell(mesh, spoke[sector], cell % rings(here.shape), cell / rings(here.shape));
         capped[mesh.face(h)] = true;
+        if (!covers(mesh.face(h))) continue;
         const int multiplicity = representatives.take(mesh.face(h));
         if (multiplicity == 0) continue;
         needed = true;
@@ -157,7 +166,7 @@ PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& fac
     caps_.push_back(std::move(here));
   }
   for (int f = 0; f < mesh.face_count(); ++f) {
-    if (capped[f]) continue;
+    if (capped[f] || !covers(f)) continue;
     const int multiplicity = representatives.take(f);
     if (multiplicity > 0)
       add_patch({}, mesh.halfedge(f, 0), -1, gather_regular(mesh, mesh.halfedge(f, 0)), multiplicity);
@@ -169,14 +178,27 @@ int PatchLayout::patch_count() const {
   return std::accumulate(sets_.begin(), sets_.end(), 0, [](int sum, const PatchSet& set) { return sum + set.count(); });
 }
 
-std::vector<Cap> PatchLayout::find_caps(const PolygonMesh& mesh) const {
+std::vector<bool> PatchLayout::used_control_points() const {
+  std::vector<bool> used(control_count_, false);
+  for (const PatchSet& set : sets_) {
+    for (const int point : set.points) {
+      if (point < control_count_) used[point] = true;
+    }
+  }
+  for (const Cap& cap : caps_) {
+    for (const int i : cap_sector(cap.valence, cap.shape).fit_support()) used[cap.net[i]] = true;
+  }
+  return used;
+}
+
+std::vector<Cap> PatchLayout::find_caps(const PolygonMesh& mesh, const std::vector<bool>& held) const {
   std::vector<int> extraordinary;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.is_extraordinary(v)) extraordinary.push_back(v);
   }
   const std::vector<CapShape> shapes =
       cap_ == CapKind::kSmooth
-          ? widest_shapes(mesh, extraordinary)
+          ? widest_shapes(mesh, extraordinary, held)
           : std::vector<CapShape>(extraordinary.size(), cap_ == CapKind::kNone ? CapShape::kBare : CapShape::kFlat);
   std::vector<Cap> caps;
   for (std::size_t i = 0; i < extraordinary.size(); ++i) {

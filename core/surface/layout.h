@@ -39,19 +39,23 @@ struct PatchSet {
   const int* points_of(int patch) const { return &points[static_cast<std::size_t>(columns) * patch]; }
 };
 
+/// Which faces of a mesh a layout covers, where the surface over some of them is held.
+enum class Part { kAll, kFree, kHeld };
+
 class PatchLayout {
  public:
   /// `mesh` must be evaluable (mesh/hierarchy.h). Each smooth cap takes four rings, else two, else one: the widest cap
-  /// whose faces no other cap of that width would use.
+  /// whose faces no other cap of that width would use, and whose faces are all held or all free.
   PatchLayout(const PolygonMesh& mesh, CapKind cap);
   /// Keeps only one patch of each orbit of faces, with the size of the orbit as its multiplicity, and only the caps of
-  /// those patches.
-  PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& face_orbits);
+  /// those patches. `held` tells of each face whether it is held, or is empty; orbits are held as a whole.
+  PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& face_orbits, const std::vector<bool>& held = {},
+              Part part = Part::kAll);
 
   int control_count() const { return control_count_; }
   int point_count() const { return point_count_; }
   int patch_count() const;
-  int face_count() const { return face_count_; }  ///< of the whole mesh
+  int face_count() const { return face_count_; }  ///< of the part of the mesh that is covered
   CapKind cap() const { return cap_; }
   const std::vector<PatchSet>& sets() const { return sets_; }
   const std::vector<Cap>& caps() const { return caps_; }
@@ -64,8 +68,11 @@ class PatchLayout {
   /// point_count x control_count: `extend` as a matrix.
   SparseMatrix extension() const;
 
+  /// Of each control point: whether the surface over the covered faces depends on it.
+  std::vector<bool> used_control_points() const;
+
  private:
-  std::vector<Cap> find_caps(const PolygonMesh& mesh) const;
+  std::vector<Cap> find_caps(const PolygonMesh& mesh, const std::vector<bool>& held) const;
   void add_patch(PatchKind kind, int halfedge, int cap, const std::vector<int>& points, double multiplicity);
 
   CapKind cap_;

@@ -229,6 +229,22 @@ TEST(Api, cuts_a_message_to_the_buffer_and_tells_its_full_length) {
   EXPECT_STREQ(buffer, message().substr(0, 7).c_str());
 }
 
+TEST(Api, counts_an_open_cage_but_has_no_mesh_of_it) {
+  const std::string text = R"({"text": "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng a\nf 1 2 3 4\n"})";
+  umbilic_cage* cage = nullptr;
+  ASSERT_EQ(umbilic_cage_create(text.data(), text.size(), &cage), UMBILIC_OK);
+  umbilic_text counts{};
+  ASSERT_EQ(umbilic_cage_counts(cage, &counts), UMBILIC_OK);
+  const std::string json(counts.data, counts.length);
+  EXPECT_NE(json.find(R"("boundaries":[{"number":1,"vertices":4,"first_vertex":1,"component":1}])"), std::string::npos)
+      << json;
+  EXPECT_NE(json.find(R"("groups":[{"name":"a","faces":1}])"), std::string::npos) << json;
+  umbilic_mesh* mesh = nullptr;
+  EXPECT_EQ(umbilic_cage_mesh(cage, &mesh), UMBILIC_BAD_INPUT);
+  EXPECT_NE(message().find("the surface is open (open edges: 4)"), std::string::npos);
+  umbilic_cage_destroy(cage);
+}
+
 TEST(Api, knows_tori_in_closed_form) {
   umbilic_text text{};
   ASSERT_EQ(umbilic_torus_energies(std::sqrt(0.5), &text), UMBILIC_OK);

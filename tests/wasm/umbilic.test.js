@@ -66,7 +66,14 @@ describe('a cage', () => {
     for (const text of [cube, new TextEncoder().encode(cube), `\uFEFF${cube.replaceAll('\n', '\r\n')}`]) {
       const cage = Cage.read(text);
       const counts = { vertices: 8, edges: 12, faces: 6, genus: 0 };
-      expect(cage.counts).toEqual({ ...counts, components: [counts], repairs: [] });
+      expect(cage.counts).toEqual({
+        ...counts,
+        components: [{ ...counts, boundaries: 0 }],
+        boundaries: [],
+        groups: [],
+        repairs: [],
+        notes: [],
+      });
       cage.dispose();
     }
   });

@@ -108,7 +108,8 @@ export const surfaceState = (level, mark) => ({ level, points: Float64Array.of(m
 /** What the worker says when it has opened run `run`. @param {number} run @returns {Action[]} */
 export function openedMessages(run) {
   const counts = { vertices: 26, edges: 60, faces: 32, genus: 2 };
-  const cage = { ...counts, components: [counts], repairs: [] };
+  const components = [{ ...counts, boundaries: 0 }];
+  const cage = { ...counts, components, boundaries: [], groups: [], repairs: [], notes: [] };
   return [
     answered({ type: 'opened', run, level: 0, cage, group: { name: 'D3h', order: 12 } }),
     answered({ type: 'surfaced', run, evaluations: 0, limit: mesh(), control: mesh() }),

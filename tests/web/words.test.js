@@ -260,11 +260,16 @@ describe('a certificate', () => {
 });
 
 describe('what is said where it applies', () => {
-  test('names each repair of a cage', () => {
+  test('names each repair of a cage, and then each note', () => {
     const counts = { vertices: 4, edges: 6, faces: 4, genus: 0 };
-    const report = { ...counts, components: [counts], repairs: ['turned 4 faces', 'dropped 1 vertex'] };
+    const rest = { components: [{ ...counts, boundaries: 0 }], boundaries: [], groups: [], notes: [] };
+    const report = { ...counts, ...rest, repairs: ['turned 4 faces', 'dropped 1 vertex'] };
     expect(repairWords(report)).toEqual(['Repaired: turned 4 faces.', 'Repaired: dropped 1 vertex.']);
     expect(repairWords({ ...report, repairs: [] })).toEqual([]);
+    expect(repairWords({ ...report, repairs: ['a'], notes: ['ignored 1 tag'] })).toEqual([
+      'Repaired: a.',
+      'Note: ignored 1 tag.',
+    ]);
   });
 
   test('names the levels that began thicker', () => {

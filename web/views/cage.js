@@ -28,6 +28,9 @@ function facts({ source, name, counts }) {
     ['Faces', integer(counts.faces)],
     ['Genus', integer(counts.genus)],
     ['Components', integer(counts.components.length)],
+    .../** @type {Array<[string, string]>} */ (
+      counts.boundaries.length > 0 ? [['Boundaries', integer(counts.boundaries.length)]] : []
+    ),
   ];
 }
 

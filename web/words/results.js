@@ -65,8 +65,15 @@ export function groupWords(group, wanted) {
   return { symbol: name, words: `, order ${order}${incomplete ? ` or more: ${incomplete}` : ''}` };
 }
 
-/** What was changed of a cage when it was read, a sentence each. @param {CageReport} report @returns {string[]} */
-export const repairWords = ({ repairs }) => repairs.map((repair) => `Repaired: ${repair}.`);
+/**
+ * What was changed of a cage when it was read, and what else there is to say of its file, a sentence each.
+ * @param {CageReport} report
+ * @returns {string[]}
+ */
+export const repairWords = ({ repairs, notes }) => [
+  ...repairs.map((repair) => `Repaired: ${repair}.`),
+  ...notes.map((note) => `Note: ${note}.`),
+];
 
 /** The levels whose start was made thicker. @param {LevelReport[]} levels @returns {string[]} */
 export const thickenedWords = (levels) =>

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cage/cage.h"
 #include "cage/read.h"
@@ -41,6 +43,27 @@ inline void expect_tetrahedron(std::string_view text) {
   const Cage expected = cage_of(tetrahedron_obj());
   EXPECT_EQ(cage.vertices, expected.vertices) << text;
   EXPECT_EQ(cage.faces, expected.faces) << text;
+}
+
+/// The cages side by side, `distance` apart along x.
+inline Cage together(const std::vector<Cage>& cages, double distance) {
+  Cage all;
+  for (std::size_t c = 0; c < cages.size(); ++c) {
+    const auto first = static_cast<int>(all.vertices.rows());
+    all.vertices.conservativeResize(first + cages[c].vertices.rows(), 3);
+    all.vertices.bottomRows(cages[c].vertices.rows()) = cages[c].vertices;
+    all.vertices.bottomRows(cages[c].vertices.rows()).col(0).array() += distance * static_cast<double>(c);
+    for (std::vector<int> face : cages[c].faces) {
+      for (int& v : face) v += first;
+      all.faces.push_back(face);
+    }
+  }
+  return all;
+}
+
+/// Replaces vertex `b` by `a` in all faces.
+inline void identify(Cage& cage, int a, int b) {
+  for (std::vector<int>& face : cage.faces) std::replace(face.begin(), face.end(), b, a);
 }
 
 }  // namespace umbilic::test

@@ -97,8 +97,12 @@ TEST(ReadOff, indices_count_from_zero_in_the_file_and_in_its_errors) {
   EXPECT_EQ(error_of(vertices + "3 0 1 x\n"), "line 7: 'x' is not a vertex index");
   EXPECT_EQ(error_of(vertices + "x 0 1 2\n"), "line 7: expected a face's number of vertices, found 'x'");
   EXPECT_EQ(error_of(vertices + "3 0 1 0\n"), "line 7: face 1 names vertex 0 twice");
-  EXPECT_EQ(error_of(vertices + "3 0 1 2\n"),
-            "line 7: edge between vertices 0 and 1 has a face on one side only: the surface is open (open edges: 3)");
+  EXPECT_EQ(error_of("OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n"),
+            "line 10: edge between vertices 0 and 1 belongs to 3 faces: not a manifold");
+  const CheckedCage open = read_checked_cage(vertices + "3 1 2 3\n").value();
+  EXPECT_EQ(open.report.boundaries.at(0).first_vertex, 1);
+  EXPECT_EQ(open.cage.open,
+            "line 7: edge between vertices 1 and 2 has a face on one side only: the surface is open (open edges: 3)");
 }
 
 TEST(ReadOff, a_file_without_faces_says_so) { EXPECT_EQ(error_of("OFF\n1 0 0\n0 0 0\n"), "the cage has no faces"); }

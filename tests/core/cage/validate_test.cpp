@@ -29,42 +29,6 @@ std::string error_of(Cage cage) {
   return report ? "" : report.error().message;
 }
 
-/// The cages side by side, `distance` apart along x.
-Cage together(const std::vector<Cage>& cages, double distance) {
-  Cage all;
-  for (std::size_t c = 0; c < cages.size(); ++c) {
-    const auto first = static_cast<int>(all.vertices.rows());
-    all.vertices.conservativeResize(first + cages[c].vertices.rows(), 3);
-    all.vertices.bottomRows(cages[c].vertices.rows()) = cages[c].vertices;
-    all.vertices.bottomRows(cages[c].vertices.rows()).col(0).array() += distance * static_cast<double>(c);
-    for (std::vector<int> face : cages[c].faces) {
-      for (int& v : face) v += first;
-      all.faces.push_back(face);
-    }
-  }
-  return all;
-}
-
-/// Replaces vertex `b` by `a` in all faces.
-void identify(Cage& cage, int a, int b) {
-  for (std::vector<int>& face : cage.faces) std::replace(face.begin(), face.end(), b, a);
-}
-
-/// A strip of n quads whose ends meet: untwisted (open cylinder), or with half a twist (Moebius band).
-Cage band(int n, bool twisted) {
-  Cage cage;
-  cage.vertices.resize(2 * n, 3);
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * 3.14159 * i / n;
-    cage.vertices.row(2 * i) << std::cos(angle), std::sin(angle), 0;
-    cage.vertices.row(2 * i + 1) << std::cos(angle), std::sin(angle), 1;
-    const int next = 2 * ((i + 1) % n);
-    const bool swap = twisted && i == n - 1;
-    cage.faces.push_back({2 * i, next + (swap ? 1 : 0), next + (swap ? 0 : 1), 2 * i + 1});
-  }
-  return cage;
-}
-
 /// The grid torus with one pair of sides glued in reverse: closed, not orientable.
 Cage klein_bottle(int n) {
   Cage cage;
@@ -175,24 +139,6 @@ TEST(Validate, vertices_that_no_face_uses_are_dropped) {
   expect_tetrahedron(tetrahedron_obj());
   EXPECT_EQ(cage.vertices, cage_of(tetrahedron_obj()).vertices);
   EXPECT_EQ(cage.faces, cage_of(tetrahedron_obj()).faces);
-}
-
-TEST(Validate, a_missing_face_names_an_edge_and_counts_the_open_ones) {
-  EXPECT_EQ(umbilic::test::error_of(std::string(kTetrahedronVertices) + "f 1 2 3\nf 1 3 4\nf 1 4 2\n"),
-            "line 5: edge between vertices 2 and 3 has a face on one side only: the surface is open (open edges: 3)");
-}
-
-TEST(Validate, a_seam_of_doubled_vertices_is_named_as_the_likely_cause) {
-  EXPECT_EQ(umbilic::test::error_of(
-                "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 -1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 5 4 3\n"),
-            "line 6: edge between vertices 2 and 3 has a face on one side only: the surface is open (open edges: 4); "
-            "vertices 2 and 5 coincide, so merging duplicate vertices may close it");
-}
-
-TEST(Validate, bands_are_open_whether_twisted_or_not) {
-  for (const bool twisted : {false, true}) {
-    EXPECT_NE(error_of(band(7, twisted)).find("the surface is open (open edges: 14)"), std::string::npos);
-  }
 }
 
 TEST(Validate, a_klein_bottle_is_refused_as_not_orientable) {

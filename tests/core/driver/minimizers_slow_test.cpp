@@ -34,6 +34,7 @@ std::vector<LevelReport> minimize(const Cage& cage, std::string_view weights, in
 
 TEST(MinimizersSlow, gauss_bonnet_holds_on_every_generated_frame) {
   for (const CageName& name : cage_names()) {
+    if (name.open) continue;
     for (const FrameFamily family : {FrameFamily::kHub, FrameFamily::kFlag}) {
       Cage cage = *generate_cage(name.name, {.family = family});
       const int genus = validate(cage)->genus;

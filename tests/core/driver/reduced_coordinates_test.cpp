@@ -28,9 +28,7 @@ std::vector<double> energies(const Cage& cage, bool symmetric, bool sobolev, con
   const Surface surface(*refine_to_evaluable(cage, 1, symmetric), cap, weights);
   const Unknowns unknowns{Coordinates(surface.mesh(), surface.symmetry())};
   EXPECT_EQ(unknowns.coordinates().free(), !symmetric);
-  const PolygonMesh& mesh = surface.mesh();
-  const int characteristic = mesh.vertex_count() - mesh.edge_count() + mesh.face_count();
-  const SurfaceObjective objective(surface.energy(), unknowns, characteristic, surface.start());
+  const SurfaceObjective objective(surface.energy(), unknowns, surface.expected_gaussian(), surface.start());
   SobolevMetric metric(surface.energy(), unknowns);
   metric.begin(surface.start());
   while (!metric.advance()) {

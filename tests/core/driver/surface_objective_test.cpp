@@ -31,7 +31,7 @@ struct Free {
         unknowns(Coordinates(surface.mesh().vertex_count())) {}
 
   SurfaceObjective objective(int euler_characteristic, const Points& start) const {
-    return SurfaceObjective(surface.energy(), unknowns, euler_characteristic, start);
+    return SurfaceObjective(surface.energy(), unknowns, 2 * std::numbers::pi * euler_characteristic, start);
   }
   Evaluation evaluate(const SurfaceObjective& objective, const Points& control) const {
     Evaluation result;

@@ -75,6 +75,7 @@ TEST(OnePatchPerOrbit, gives_energies_and_reduced_gradients_of_all_patches_on_sm
 
 TEST(OnePatchPerOrbitSlow, gives_energies_and_reduced_gradients_of_all_patches_on_every_cage_of_both_families) {
   for (const CageName& name : cage_names()) {
+    if (name.open) continue;
     for (const FrameFamily family : {FrameFamily::kHub, FrameFamily::kFlag}) {
       expect_equal_with_every_functional_and_cap(name.name, family);
     }

@@ -96,7 +96,8 @@ TEST(PatchAssembly, of_scalar_blocks_is_that_of_the_same_block_for_each_coordina
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     const Eigen::MatrixXd b(c.coordinates.matrix());
-    const PatchAssembly assembly(c.layout, c.coordinates), scalar(c.layout);
+    const PatchAssembly assembly(c.layout, c.coordinates),
+        scalar(c.layout, Coordinates(c.layout.control_count()), true);
     PatchSums sums, scalar_sums;
     assembly.clear(sums);
     scalar.clear(scalar_sums);

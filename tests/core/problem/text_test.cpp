@@ -36,7 +36,15 @@ Report full_report() {
   report.program = "1.2.3";
   report.instruction_set = "portable";
   report.problem = blend_of_a_frame();
-  report.cage = {22, 48, 24, 2, {{22, 48, 24, 2}}, {"1 unused vertex was dropped"}};
+  report.cage = {.vertices = 22,
+                 .edges = 48,
+                 .faces = 24,
+                 .genus = 2,
+                 .components = {{22, 48, 24, 2, 1}},
+                 .boundaries = {{1, 4, 7, 1}},
+                 .groups = {{"head", 3}},
+                 .repairs = {"1 unused vertex was dropped"},
+                 .notes = {"crease tags were ignored"}};
   report.group = {.name = "D3h", .order = 12, .incomplete = "the search was given up"};
   report.levels = {{.level = 0,
                     .patches = 24,
@@ -96,6 +104,21 @@ TEST(Text, of_a_problem_reads_back_as_the_same_problem) {
     EXPECT_EQ(again->options.metric, MetricChoice::kSobolev);
     EXPECT_FALSE(again->options.symmetry);
   }
+}
+
+TEST(Text, of_a_generated_cage_shows_what_applies_to_it_with_the_segments_that_it_takes) {
+  const auto text = [](const GeneratedCage& cage) { return problem_text(Problem{.cage = cage}); };
+  const auto shows = [&](const GeneratedCage& cage, std::string_view members) {
+    return text(cage).find(members) != std::string::npos;
+  };
+  EXPECT_TRUE(shows({"torus", {}}, R"({"generator":"torus","thickness":1,"ratio":0.5,"segments":[6,8]})"));
+  EXPECT_TRUE(shows({"disk", {}}, R"({"generator":"disk","segments":[32,3],"radius":1})"));
+  EXPECT_TRUE(shows({"cylinder", {}}, R"({"generator":"cylinder","segments":[32,10],"radius":1,"height":2})"));
+  EXPECT_TRUE(shows({"catenoid", {}}, R"({"generator":"catenoid","segments":[32,8],"height":2,"waist":1})"));
+  EXPECT_TRUE(shows({"spherical-cap", {.half_angle = 150}},
+                    R"({"generator":"spherical-cap","segments":[32,9],"radius":1,"half_angle":150})"));
+  EXPECT_TRUE(shows({"n-sided", {.sides = 7}}, R"({"generator":"n-sided","segments":[8,4],"radius":1,"sides":7})"));
+  EXPECT_FALSE(shows({"cube", {}}, "segments"));
 }
 
 TEST(Text, of_a_report_reads_back_as_the_same_report) {
@@ -198,7 +221,7 @@ TEST(Text, errors_name_the_member) {
       {with(R"("options": {"cap": 2})"), "options.cap: expected one of none, flat, smooth"},
       {with(R"("options": {"levles": [0, 1]})"),
        "options.'levles': unknown; known are cap, levels, max_iterations, tolerance, symmetry, metric"},
-      {with(R"("constraints": {"volume": 1})"), "constraints.'volume': unknown; known are "},
+      {with(R"("constraints": {"volume": 1})"), "constraints.'volume': unknown; known are hold, free, pins"},
       {with(R"("start": {"level": -1, "points": []})"), "start.level: -1 is negative"},
       {with(R"("start": {"level": 0, "points": [1, 2]})"), "start.points: 2 numbers, not three for each point"},
       {with(R"("start": {"level": 0, "points": [1, 2, "x"]})"), "start.points[2]: expected a number"},

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Declares each flag with its parser and what it sets.
+#include "cli/problem_options.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "cage/text.h"
+#include "cli/arguments.h"
+
+namespace umbilic::cli {
+
+namespace {
+
+Result<double> parse_tolerance(const std::string& text) {
+  const Result<double> number = parse_real(text);
+  if (number && *number < 0) return Error{fmt::format("{} is negative", in_quotes(text))};
+  return number;
+}
+
+Result<int> parse_iterations(const std::string& text) { return parse_count(text, 0, std::numeric_limits<int>::max()); }
+
+/// Adds an option that changes the problem if it is given.
+template <class Parse, class Apply>
+CLI::Option* add_change(CLI::App& command, const std::shared_ptr<ProblemChanges>& changes, const char* name,
+                        const char* type, const char* words, const Parse& parse, const Apply& apply) {
+  return command
+      .add_option_function<std::string>(
+          name,
+          [changes, parse, apply](const std::string& text) {
+            const auto value = parse(text).value();
+            changes->push_back([value, apply](Problem& problem) { apply(problem, value); });
+          },
+          words)
+      ->type_name(type)
+      ->check(checked(parse));
+}
+
+/// Adds an option that adds a group of faces to a selection each time that it is given.
+template <class Selection>
+void add_groups(CLI::App& command, const std::shared_ptr<ProblemChanges>& changes, const char* name, const char* words,
+                const Selection& selection) {
+  const auto add = [changes, selection](const std::vector<std::string>& groups) {
+    changes->push_back([groups, selection](Problem& problem) {
+      std::optional<FaceSelection>& faces = selection(problem.constraints);
+      if (!faces) faces.emplace();
+      faces->groups.insert(faces->groups.end(), groups.begin(), groups.end());
+    });
+  };
+  command.add_option_function<std::vector<std::string>>(name, add, words)->type_name("GROUP")->expected(1)->take_all();
+}
+
+}  // namespace
+
+void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges>& changes) {
+  const auto set_weights = [](Problem& problem, const Weights& weights) { problem.options.weights = weights; };
+  CLI::Option* functional = add_change(
+      command, changes, "--functional", "NAME", kFunctionalWords,
+      [](const std::string& name) { return weights_of(name); }, set_weights);
+  add_change(
+      command, changes, "--weights", "SUM", kWeightsWords, [](const std::string& text) { return parse_weights(text); },
+      set_weights)
+      ->excludes(functional);
+  add_change(command, changes, "--cap", "CAP", kCapWords, parse_cap,
+             [](Problem& problem, CapKind cap) { problem.options.cap = cap; });
+  add_change(
+      command, changes, "--levels", "A..B",
+      "Minimize, subdivide, minimize: from A to B Catmull-Clark steps of the cage;\n"
+      "where the cage is too coarse to be evaluated, a finer mesh is [0..2]",
+      [](const std::string& text) { return parse_levels(text); },
+      [](Problem& problem, const LevelRange& range) {
+        problem.options.first_level = range.first;
+        problem.options.last_level = range.last;
+      });
+  add_change(command, changes, "--max-iterations", "N", "Most iterations per level [1000]", parse_iterations,
+             [](Problem& problem, int most) { problem.options.max_iterations = most; });
+  add_change(command, changes, "--tolerance", "T",
+             "A level ends when the decrease still predicted is below\nT * max(energy, 1e-6 * 8 pi) [1e-6]",
+             parse_tolerance, [](Problem& problem, double tolerance) { problem.options.tolerance = tolerance; });
+  command.add_flag(
+      "--no-symmetry",
+      [changes](std::int64_t) { changes->push_back([](Problem& problem) { problem.options.symmetry = false; }); },
+      "Let the surface leave the cage's symmetry");
+  add_change(command, changes, "--metric", "NAME",
+             "What the optimizer measures steps with: auto, identity, sobolev or hessian [auto]", parse_metric,
+             [](Problem& problem, MetricChoice metric) { problem.options.metric = metric; });
+  add_groups(command, changes, "--hold",
+             "Hold the faces of this group of the file: their surface stays; may be repeated",
+             [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.hold; });
+  add_groups(command, changes, "--free", "Let only the faces of this group move; may be repeated",
+             [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.free; });
+}
+
+}  // namespace umbilic::cli

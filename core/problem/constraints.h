@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// What the surface must keep besides its topology. Elements of the cage are numbered from 1, as in OBJ files and in
+/// messages.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "base/result.h"
+#include "problem/members.h"
+#include "problem/pin.h"
+
+namespace umbilic {
+
+/// Faces of the cage: those of some groups of its file, and some by their numbers.
+struct FaceSelection {
+  std::vector<std::string> groups;
+  std::vector<int> faces;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("groups", self.groups, "Names of groups (g) and objects (o) of the file");
+    visit("faces", self.faces, "Numbers of faces, from 1");
+  }
+};
+
+/// At most one of `hold` and `free` is given. The surface over held faces stays that of the cage, and so do all control
+/// points that it depends on; the surface over the others joins it as smoothly as the surface is inside (with
+/// continuous curvature, except at extraordinary vertices).
+struct Constraints {
+  std::optional<FaceSelection> hold;  ///< the faces that are held
+  std::optional<FaceSelection> free;  ///< the faces that are not; all others are held
+  std::vector<Pin> pins;              ///< points and normals that are held
+
+  bool holds_faces() const { return hold || free; }
+  bool any() const { return holds_faces() || !pins.empty(); }
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("hold", self.hold, "Faces whose surface stays as it is in the cage");
+    visit("free", self.free, "The only faces whose surface may move; not together with hold");
+    if (!std::is_const_v<Self> || !self.pins.empty()) visit("pins", self.pins, "Points and normals that are held");
+  }
+};
+
+/// Whether no two of the constraints exclude each other by their form; otherwise `error` says which.
+bool in_range(const Constraints& constraints, Error& error);
+
+}  // namespace umbilic
