@@ -22,6 +22,12 @@ Result<double> parse_tolerance(const std::string& text) {
   return number;
 }
 
+Result<double> parse_positive(const std::string& text) {
+  const Result<double> number = parse_real(text);
+  if (number && !(*number > 0)) return Error{fmt::format("{} is not a number > 0", in_quotes(text))};
+  return number;
+}
+
 Result<int> parse_iterations(const std::string& text) { return parse_count(text, 0, std::numeric_limits<int>::max()); }
 
 Result<BoundaryCondition> parse_boundary(const std::string& text) {
@@ -141,6 +147,16 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
              "What is held at the boundaries of an open surface: free, position, tangent or curvature [tangent]",
              parse_boundary, [](Problem& problem, BoundaryCondition condition) {
                problem.constraints.boundary = BoundaryConditions{condition, {}};
+             });
+  add_change(command, changes, "--within", "DISTANCE",
+             "Pull the surface to the cage's own, as little as keeps every point within this distance of it",
+             parse_positive, [](Problem& problem, double distance) {
+               problem.constraints.closeness = Closeness{{}, distance};
+             });
+  add_change(command, changes, "--closeness", "W",
+             "Pull the surface to the cage's own with W * integral of |X - X0|^2 dA", parse_tolerance,
+             [](Problem& problem, double weight) {
+               problem.constraints.closeness = Closeness{weight, {}};
              });
   add_groups(command, changes, "--hold",
              "Hold the faces of this group of the file: their surface stays; may be repeated",
