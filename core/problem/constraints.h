@@ -34,6 +34,8 @@ struct Constraints {
   std::optional<FaceSelection> hold;  ///< the faces that are held
   std::optional<FaceSelection> free;  ///< the faces that are not; all others are held
   std::vector<Pin> pins;              ///< points and normals that are held
+  /// Faces of the cage that are holes: the surface has no points over them (Cage::holes).
+  std::optional<FaceSelection> holes{};
 
   bool holds_faces() const { return hold || free; }
   bool any() const { return holds_faces() || !pins.empty(); }
@@ -43,6 +45,7 @@ struct Constraints {
     visit("hold", self.hold, "Faces whose surface stays as it is in the cage");
     visit("free", self.free, "The only faces whose surface may move; not together with hold");
     if (!std::is_const_v<Self> || !self.pins.empty()) visit("pins", self.pins, "Points and normals that are held");
+    visit("holes", self.holes, "Faces that are holes, over which there is no surface, but what fills them");
   }
 };
 
