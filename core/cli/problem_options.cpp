@@ -26,7 +26,47 @@ Result<double> parse_tolerance(const std::string& text) {
   return number;
 }
 
+Result<double> parse_positive(const std::string& text) {
+  const Result<double> number = parse_real(text);
+  if (number && !(*number > 0)) return Error{fmt::format("{} is not a number > 0", in_quotes(text))};
+  return number;
+}
+
 Result<int> parse_iterations(const std::string& text) { return parse_count(text, 0, std::numeric_limits<int>::max()); }
+
+Result<BoundaryCondition> parse_boundary(const std::string& text) {
+  for (int i = 0; !name_of(static_cast<BoundaryCondition>(i)).empty(); ++i) {
+    if (name_of(static_cast<BoundaryCondition>(i)) == text) return static_cast<BoundaryCondition>(i);
+  }
+  return Error{fmt::format("{} is none of free, position, tangent, curvature", in_quotes(text))};
+}
+
+/// "17", "17@0,0.5,1", "17:normal". Other pins are written in a problem's file.
+Result<Pin> parse_pin(const std::string& text) {
+  Pin pin;
+  std::string rest = text;
+  constexpr std::string_view kNormal = ":normal";
+  if (rest.size() > kNormal.size() && std::string_view(rest).substr(rest.size() - kNormal.size()) == kNormal) {
+    pin.normal = true;
+    rest.resize(rest.size() - kNormal.size());
+  }
+  const std::size_t at = rest.find('@');
+  const Result<int> vertex = parse_count(rest.substr(0, at), 1, std::numeric_limits<int>::max());
+  if (!vertex) return vertex.error();
+  pin.vertex = *vertex;
+  if (at == rest.npos) return pin;
+  std::size_t begin = at + 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t end = axis < 2 ? rest.find(',', begin) : rest.size();
+    if (end == rest.npos) return Error{fmt::format("{} has no three coordinates behind @", in_quotes(text))};
+    const Result<double> number = parse_real(rest.substr(begin, end - begin));
+    if (!number) return number.error();
+    if (!pin.at) pin.at.emplace();
+    (*pin.at)[axis] = *number;
+    begin = end + 1;
+  }
+  return pin;
+}
 
 /// Adds an option that changes the problem if it is given.
 template <class Parse, class Apply>
@@ -122,6 +162,36 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
   add_change(command, changes, "--metric", "NAME",
              "What the optimizer measures steps with: auto, identity, sobolev or hessian [auto]", parse_metric,
              [](Problem& problem, MetricChoice metric) { problem.options.metric = metric; });
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--pin",
+          [changes](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              const Pin pin = parse_pin(text).value();
+              changes->push_back([pin](Problem& problem) { problem.constraints.pins.push_back(pin); });
+            }
+          },
+          "Hold the surface's point at a vertex (numbered from 1) where it is, or at X,Y,Z; with :normal\n"
+          "its normal too; may be repeated")
+      ->type_name("V[@X,Y,Z][:normal]")
+      ->expected(1)
+      ->take_all()
+      ->check(checked(parse_pin));
+  add_change(command, changes, "--boundary", "CONDITION",
+             "What is held at the boundaries of an open surface: free, position, tangent or curvature [tangent]",
+             parse_boundary, [](Problem& problem, BoundaryCondition condition) {
+               problem.constraints.boundary = BoundaryConditions{condition, {}};
+             });
+  add_change(command, changes, "--within", "DISTANCE",
+             "Pull the surface to the cage's own, as little as keeps every point within this distance of it",
+             parse_positive, [](Problem& problem, double distance) {
+               problem.constraints.closeness = Closeness{{}, distance};
+             });
+  add_change(command, changes, "--closeness", "W",
+             "Pull the surface to the cage's own with W * integral of |X - X0|^2 dA", parse_tolerance,
+             [](Problem& problem, double weight) {
+               problem.constraints.closeness = Closeness{weight, {}};
+             });
   add_groups(command, changes, "--hold",
              "Hold the faces of this group of the file: their surface stays; may be repeated",
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.hold; });

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
+#include "driver/equations.h"
 #include "driver/gauss_bonnet.h"
 #include "driver/rules.h"
 #include "driver/thickness.h"
@@ -57,13 +59,21 @@ MetricChoice choose(const LevelOptions& options, const Surface& surface, int unk
   return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
 }
 
+/// What is minimized, at the surface's start.
+double objective_value(const Surface& surface) {
+  const double energy = surface.energy().evaluate(surface.start(), nullptr).energy;
+  return energy + (surface.closeness() ? surface.closeness()->evaluate(surface.start(), nullptr) : 0);
+}
+
 /// Whether a reason says that there is little left to gain, which what cannot be the surface's energy says nothing of.
 bool claims_a_minimum(StopReason reason) {
   return reason == StopReason::kConverged || reason == StopReason::kRoundOff ||
          reason == StopReason::kLineSearchStalled;
 }
 
-Unknowns unknowns_of(const RefinedCage& cage, const Coordinates& coordinates, const Surface& surface) {
+Unknowns make_unknowns(const RefinedCage& cage, const Coordinates& coordinates, const Surface& surface,
+                       const std::shared_ptr<const AffineSubspace>& solutions) {
+  if (solutions) return Unknowns(coordinates, solutions);
   if (surface.level() == cage.level) return Unknowns(coordinates);
   Refinement step = catmull_clark(cage.mesh);
   Eigen::SparseMatrix<double> stencil = step.stencil;
@@ -82,9 +92,12 @@ Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options
       coordinates_(start_.mesh, start_.symmetry, held_points(start_, options.cap)),
       surface_(refine(start_with_held_points(), evaluated_level - start_.level), options.cap, options.weights,
                options.quadrature, options.fixed_area),
-      gauge_(start_.held.empty() ? gauge_of(options.weights) : Gauge::none()),
-      unknowns_(unknowns_of(start_, coordinates_, surface_)),
-      metric_choice_(choose(options, surface_, unknowns_.count())) {}
+      gauge_(gauge_of(options.weights)),
+      solutions_(solutions_of(start_, coordinates_)),
+      unknowns_(make_unknowns(start_, coordinates_, surface_, solutions_)),
+      metric_choice_(choose(options, surface_, unknowns_.count())) {
+  if (start_.is_constrained() && !leaves_size_open(start_)) gauge_.scaling = false;
+}
 
 /// Puts held points of the start exactly where they are held.
 const RefinedCage& Level::start_with_held_points() {
@@ -92,9 +105,17 @@ const RefinedCage& Level::start_with_held_points() {
   return start_;
 }
 
+/// The optimizer's variables at control points of `start_`, or those of the nearest points that it can move to.
+Eigen::VectorXd Level::unknowns_of(const Points& control) const {
+  const Eigen::VectorXd all = coordinates_.unknowns(control);
+  return solutions_ ? solutions_->coordinates(all) : all;
+}
+
 RefinedCage Level::best_cage() const {
   RefinedCage cage = start_;
-  if (lbfgs_) cage.control = coordinates_.control(lbfgs_->best());
+  if (lbfgs_) {
+    cage.control = solutions_ ? unknowns_.control(lbfgs_->best()) : coordinates_.control(lbfgs_->best());
+  }
   return cage;
 }
 
@@ -105,19 +126,22 @@ void Level::start() {
   options.floor = kEnergyFloor;
   options.max_displacement = kLargestStep * extent(start_.control);
   const Metric& metric = metric_ ? static_cast<const Metric&>(*metric_) : kIdentityMetric;
-  lbfgs_ = std::make_unique<Lbfgs>(*objective_, metric, coordinates_.unknowns(start_.control), options);
+  lbfgs_ = std::make_unique<Lbfgs>(*objective_, metric, unknowns_of(start_.control), options);
 }
 
 void Level::prepare() {
-  objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.expected_gaussian(),
-                                                  surface_.start(), surface_.lower_bound());
+  std::function<double(const Points&)> turning;
+  if (surface_.mesh().is_open()) turning = [this](const Points& control) { return surface_.turning(control); };
+  objective_ =
+      std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.expected_gaussian(), surface_.start(),
+                                         surface_.lower_bound(), std::move(turning), surface_.closeness());
   if (!start_energy_) start_energy_ = objective_->start_energy();
   if (!start_is_in_question()) prepare_metric();
 }
 
 bool Level::start_is_in_question() const {
-  return start_.held.empty() && !objective_->start_is_whole() && options_.max_iterations > 0 && !thicker_ &&
-         thicknesses_tried_ < kThicknessRatios.size();
+  return !start_.is_constrained() && !start_.mesh.is_open() && !objective_->start_is_whole() &&
+         options_.max_iterations > 0 && !thicker_ && thicknesses_tried_ < kThicknessRatios.size();
 }
 
 void Level::try_thicker_start() {
@@ -137,11 +161,11 @@ void Level::prepare_metric() {
 
 void Level::make_metric() {
   if (metric_choice_ == MetricChoice::kSobolev) {
-    metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_, gauge_);
+    metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_, gauge_, surface_.closeness());
   } else {
     metric_ = std::make_unique<HessianMetric>(surface_.layout(), unknowns_, options_.weights,
                                               hessian_rule(options_.cap, options_.weights, options_.quadrature), gauge_,
-                                              options_.fixed_area);
+                                              options_.fixed_area, surface_.closeness());
   }
 }
 
@@ -261,6 +285,14 @@ std::unique_ptr<Level> Level::with_finer_rule() const {
   return level;
 }
 
+std::unique_ptr<Level> Level::with_closeness(double weight) const {
+  RefinedCage start = best_cage();
+  start.closeness = weight;
+  auto level = std::make_unique<Level>(std::move(start), surface_.level(), options_);
+  level->before_ = {iterations(), evaluations(), before_.metrics + metrics_, energy(), gradient_norm()};
+  return level;
+}
+
 std::unique_ptr<Level> Level::with_thicker_start() const {
   if (!thicker_) return nullptr;
   RefinedCage start = start_;
@@ -274,10 +306,10 @@ std::unique_ptr<Level> Level::with_thicker_start() const {
 LevelReport Level::report(const EnergyReport& energies) const {
   LevelReport report;
   report.level = number();
-  report.patches = surface_.mesh().face_count();
+  report.patches = surface_.mesh().surface_face_count();
   report.unknowns = unknowns_.count();
   report.energy_reported = surface_.objective(energies);
-  report.energy = evaluated() ? lbfgs_->best_value() : surface_.energy().evaluate(surface_.start(), nullptr).energy;
+  report.energy = evaluated() ? lbfgs_->best_value() : objective_value(surface_);
   report.stop = StopReason::kCancelled;
   report.metric = metric_choice_;
   report.metrics = before_.metrics + metrics_;

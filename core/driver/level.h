@@ -42,8 +42,8 @@ struct LevelOptions {
 class Level {
  public:
   /// Moves the points of `start`, and evaluates the surface on the mesh of `evaluated_level` >= start.level, which must
-  /// be equal if faces are held. The first steps make what only the optimizer needs, so that a surface that is only
-  /// viewed is available soon.
+  /// be equal where something is held. The first steps make what only the optimizer needs, so that a surface that is
+  /// only viewed is available soon.
   Level(RefinedCage start, int evaluated_level, const LevelOptions& options);
 
   /// One energy evaluation, or a part of a metric that costs no more. Returns whether the level has ended.
@@ -57,6 +57,8 @@ class Level {
   bool needs_finer_rule(const EnergyReport& energies) const;
   /// A level that continues from the best surface, with rules one step finer.
   std::unique_ptr<Level> with_finer_rule() const;
+  /// A level that continues from the best surface, pulled to the cage's own with another weight.
+  std::unique_ptr<Level> with_closeness(double weight) const;
   /// The level with a thicker start, where the samples miss curvature of its own and see all of that one; see
   /// driver/thickness.h. Null otherwise.
   std::unique_ptr<Level> with_thicker_start() const;
@@ -89,6 +91,7 @@ class Level {
 
  private:
   const RefinedCage& start_with_held_points();
+  Eigen::VectorXd unknowns_of(const Points& control) const;
   void prepare();
   void prepare_metric();
   bool start_is_in_question() const;
@@ -108,6 +111,7 @@ class Level {
   Coordinates coordinates_;  // of `start_`
   Surface surface_;
   Gauge gauge_;
+  std::shared_ptr<const AffineSubspace> solutions_;  // of the equations, over `coordinates_`; null without any
   Unknowns unknowns_;
   std::unique_ptr<SurfaceObjective> objective_;  // null before the first step, like the metric
   MetricChoice metric_choice_;                   // never kAutomatic

@@ -169,8 +169,8 @@ LinearRows in_coordinates(const LinearRows& rows, const Coordinates& coordinates
 Vector3 pull(const PinRows& rows, const Eigen::VectorXd& multipliers, int pin) {
   Vector3 sum = Vector3::Zero();
   for (std::size_t row = 0; row < rows.owners.size(); ++row) {
-    const auto& [owner, coordinate] = rows.owners[row];
-    if (owner == pin && coordinate < 3) sum[coordinate] += multipliers[static_cast<Eigen::Index>(row)];
+    const PinRow& owner = rows.owners[row];
+    if (owner.pin == pin && owner.coordinate < 3) sum[owner.coordinate] += multipliers[static_cast<Eigen::Index>(row)];
   }
   return sum;
 }

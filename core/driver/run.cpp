@@ -12,6 +12,9 @@
 #include <optional>
 #include <tuple>
 
+#include "driver/closeness_search.h"
+#include "driver/constraints_report.h"
+#include "driver/equations.h"
 #include "driver/extrapolate.h"
 #include "driver/level.h"
 #include "driver/memory.h"
@@ -49,13 +52,16 @@ struct Run::State {
   Progress progress;
   double level_seconds = 0;
   bool cancelled = false;
+  HeldRegions held_regions;      // of the cage
+  std::optional<double> within;  // the largest deviation that is allowed, in unit coordinates
+  std::optional<ClosenessSearch> search;
   std::optional<double> fixed_area;              // see Surface
   mutable std::optional<EnergyReport> energies;  // cached for the current best surface
   mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
   LevelOptions level_options() const {
     LevelOptions next{options.cap, options.weights, options.max_iterations, options.tolerance, options.metric};
-    if (!levels.empty()) next.energy_before = levels.back().energy_reported;
+    if (!levels.empty() && !within) next.energy_before = levels.back().energy_reported;
     next.fixed_area = fixed_area;
     return next;
   }
@@ -76,11 +82,13 @@ struct Run::State {
   /// Of the surface as it is written.
   const EnergyReport& written_energies() const {
     const EnergyReport& exact = report_energies();
-    if (level->surface().placement().is_centred()) return exact;
+    if (level->surface().placement().is_centred() || level->surface().mesh().is_open()) return exact;
     if (!written) {
       const Result<EvaluationReport> evaluation = evaluate(control_mesh(), options.cap, 0);
       written = evaluation ? evaluation->energies : exact;
       written->quadrature_error = exact.quadrature_error;
+      written->free = exact.free;
+      written->closeness = exact.closeness;
     }
     return *written;
   }
@@ -110,6 +118,10 @@ struct Run::State {
         const bool stays = progress.energy == before || (std::isnan(progress.energy) && std::isnan(before));
         if (!stays) energies.reset();
         if (auto thicker = level->with_thicker_start()) replace_level(std::move(thicker));
+        if (ended && search && !cancelled && !search->accepts(largest_deviation(level->surface(), level->best()))) {
+          replace_level(level->with_closeness(search->weight()));
+          break;
+        }
         if (level->should_check_rule() && level->needs_finer_rule(report_energies()))
           replace_level(level->with_finer_rule());
         break;
@@ -117,6 +129,16 @@ struct Run::State {
       case Phase::kReport: end_level(); break;
       case Phase::kDone: break;
     }
+  }
+
+  /// Begins with a weight by which a deviation of half the bound everywhere costs a tenth of the start's energy.
+  void begin_search(double bound) {
+    const Surface& surface = level->surface();
+    within = std::ldexp(bound, -surface.placement().exponent);
+    const EnergyValue start = surface.energy().evaluate(surface.start(), nullptr);
+    const double half = *within / 2, weight = 0.1 * std::max(start.energy, kEnergyFloor) / (start.area * half * half);
+    search.emplace(*within, std::isfinite(weight) && weight > 0 ? weight : 1);
+    level = level->with_closeness(search->weight());
   }
 
   void replace_level(std::unique_ptr<Level> other) {
@@ -131,7 +153,7 @@ struct Run::State {
     levels.push_back(level->report(report_of_ended));
     progress.ended_levels = static_cast<int>(levels.size());
     const LevelReport& report = levels.back();
-    if (report.evaluable) {
+    if (report.evaluable && !within) {
       const bool minimized =
           (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
       const double left = options.tolerance * std::max(report.energy_reported, kEnergyFloor);
@@ -143,7 +165,8 @@ struct Run::State {
     std::optional<RefinedCage> finer;
     if (!last) finer = refine(level->best_cage(), 1);
     EndedLevel ended{std::move(level), report, report_of_ended};
-    if (!best || ended.rank() <= best->rank()) {
+    // Levels with different weights do not compare: the last one is the result.
+    if (!best || within || ended.rank() <= best->rank()) {
       best = std::move(ended);
       result = levels.size() - 1;
     }
@@ -154,6 +177,7 @@ struct Run::State {
       progress.phase = Phase::kDone;
       update_progress();
     } else {
+      if (search) search.emplace(*within, search->weight());
       replace_level(std::make_unique<Level>(*finer, std::max(finer->level, required_level), level_options()));
     }
   }
@@ -166,6 +190,8 @@ double own_area(const RefinedCage& cage, int required, CapKind cap) {
   RefinedCage own = cage;
   own.control = own.own;
   own.held.clear();
+  own.pins.clear();
+  own.boundary.clear();
   const RefinedCage refined = refine(std::move(own), required);
   const PatchLayout layout(refined.mesh, cap, face_orbits(refined.mesh, refined.symmetry));
   return surface_integrals(JetEvaluator(layout, reporting_rule(cap)), refined.control).area;
@@ -178,24 +204,36 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
   Error error;
   if (!in_range(options, error)) return error;
   if (start && !in_range(*start, error)) return Error{"start." + error.message};
+  if (!in_range(constraints, error)) return Error{"constraints." + error.message};
+  if (constraints.closeness && options.cap == CapKind::kFlat) {
+    return Error{"constraints.closeness: caps flat are not linear in the control points; use smooth or none"};
+  }
   Result<RefinedCage> prepared =
       prepare(cage, std::max(options.last_level, start ? start->level : 0), options.symmetry || start, constraints);
   if (!prepared) return prepared.error();
   if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
-  const bool holds = !prepared->held.empty();
+  const bool constrained = prepared->is_constrained();
   auto state = std::make_unique<State>();
   state->options = options;
   state->required_level = required_level(prepared->mesh).value();
   if (auto error_of_size = too_large_a_run(*prepared, state->required_level, options)) return *error_of_size;
-  if (holds) state->fixed_area = own_area(*prepared, state->required_level, options.cap);
+  if (constrained && !leaves_size_open(*prepared))
+    state->fixed_area = own_area(*prepared, state->required_level, options.cap);
+  state->held_regions = HeldRegions(prepared->mesh, prepared->held);
   if (start) {
     prepared = at_state(std::move(prepared).value(), *start, options.cap, options.symmetry);
     if (!prepared) return Error{"start: " + prepared.error().message};
     if (!options.symmetry) prepared->symmetry = {};
   }
-  const int first_level = holds ? std::max(options.first_level, state->required_level) : options.first_level;
-  const RefinedCage first = refine(std::move(prepared).value(), first_level - prepared->level);
+  const int first_level = constrained ? std::max(options.first_level, state->required_level) : options.first_level;
+  RefinedCage first = refine(std::move(prepared).value(), first_level - prepared->level);
+  if (constrained) {
+    const Coordinates coordinates(first.mesh, first.symmetry, held_points(first, options.cap));
+    if (auto error_of_rows = contradiction_of(first, coordinates)) return *error_of_rows;
+    first.control = moved_to_equations(first, coordinates);
+  }
   state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
+  if (constraints.closeness && constraints.closeness->within) state->begin_search(*constraints.closeness->within);
   state->update_progress();
   return Run(std::move(state));
 }
@@ -232,7 +270,7 @@ void Run::cancel() {
 }
 
 const Progress& Run::progress() const { return state_->progress; }
-int Run::patches() const { return state_->level->surface().mesh().face_count(); }
+int Run::patches() const { return state_->level->surface().mesh().surface_face_count(); }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
 const LevelReport& Run::result() const { return state_->levels[state_->result]; }
 const EnergyReport& Run::energies() const { return state_->written_energies(); }
@@ -247,6 +285,16 @@ GroupReport Run::group() const {
 LimitReport Run::limit() const {
   return extrapolate(state_->energies_of_levels, third_order(state_->options.weights),
                      state_->level->surface().lower_bound());
+}
+
+std::optional<ConstraintsReport> Run::constraints() const {
+  const Surface& surface = state_->level->surface();
+  if (!surface.cage().is_constrained()) return std::nullopt;
+  ConstraintsReport report = constraints_report(surface, state_->level->best(), state_->held_regions);
+  if (state_->search && !state_->search->binds()) {
+    report.notes.push_back("the surface stays within the distance by itself: nothing pulls it");
+  }
+  return report;
 }
 
 Result<Certificate> Run::certify() const {

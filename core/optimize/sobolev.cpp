@@ -8,10 +8,12 @@
 
 namespace umbilic {
 
-SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns, const Gauge& gauge)
+SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns, const Gauge& gauge,
+                             const ClosenessTerm* closeness)
     : energy_(energy),
       unknowns_(unknowns),
-      scalar_(unknowns.coordinates().cartesian() && !unknowns.coarse()),
+      closeness_(closeness),
+      scalar_(unknowns.coordinates().cartesian() && !unknowns.mapped()),
       scaling_(gauge.scaling),
       assembly_(energy.layout(), unknowns.coordinates(), scalar_),
       form_(energy.layout(), energy.weights()) {}
@@ -32,6 +34,7 @@ bool SobolevMetric::advance() {
     case Stage::kPatches: {
       const auto add = [&](int set, int patch) {
         assembly_.add_scalar(set, patch, form_.patch(set, patch), sums_);
+        if (closeness_) assembly_.add_scalar(set, patch, closeness_->patch(set, patch), sums_);
         return form_.samples(set);
       };
       if (cursor_.visit(energy_.layout(), kSobolevSamplesPerPart, add)) stage_ = Stage::kSum;
@@ -40,7 +43,7 @@ bool SobolevMetric::advance() {
     case Stage::kSum: {
       assembly_.eliminate(sums_);
       Eigen::SparseMatrix<double> matrix = assembly_.lower(sums_.values);
-      if (unknowns_.coarse()) matrix = unknowns_.reduce(matrix);
+      if (unknowns_.mapped()) matrix = unknowns_.reduce(matrix);
       factor_.begin(std::move(matrix));
       stage_ = Stage::kFactor;
       [[fallthrough]];

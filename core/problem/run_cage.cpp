@@ -122,6 +122,23 @@ void turn_place(Pin& pin, const Cage& filled, const Cage& validated) {
   if (pin.corner && *pin.corner > 1) pin.corner = static_cast<int>(face.size()) + 2 - *pin.corner;
 }
 
+/// The condition of a boundary that stays, which has a smaller number where others before it are filled. One that is
+/// out of range is left so.
+Result<LoopCondition> renumbered(LoopCondition condition, std::size_t index, const FilledCage& filled) {
+  const int number = condition.loop;
+  for (const FilledLoop& loop : filled.loops) {
+    if (loop.loop + 1 == number) {
+      return Error{fmt::format("constraints.boundary.loops[{}].loop: boundary {} is filled", index, number)};
+    }
+    condition.loop -= loop.loop + 1 < number;
+  }
+  for (std::optional<int>* vertex : {&condition.from, &condition.to}) {
+    if (!*vertex || **vertex < 1 || **vertex > static_cast<int>(filled.vertex_numbers.size())) continue;
+    *vertex = filled.vertex_numbers[**vertex - 1] + 1;
+  }
+  return condition;
+}
+
 Result<Constraints> renumbered(const Constraints& constraints, const Cage& before, const FilledCage& filled) {
   Constraints result = constraints;
   for (const auto& [member, selection] : {std::pair("hold", &result.hold), std::pair("free", &result.free)}) {
@@ -134,6 +151,11 @@ Result<Constraints> renumbered(const Constraints& constraints, const Cage& befor
     Result<Pin> pin = renumbered(result.pins[i], i, before, filled);
     if (!pin) return pin.error();
     result.pins[i] = *pin;
+  }
+  for (std::size_t i = 0; result.boundary && i < result.boundary->loops.size(); ++i) {
+    Result<LoopCondition> condition = renumbered(result.boundary->loops[i], i, filled);
+    if (!condition) return condition.error();
+    result.boundary->loops[i] = *condition;
   }
   return result;
 }
@@ -148,13 +170,14 @@ FaceSelection fills(const FilledCage& filled) {
   return selection;
 }
 
-/// Whether a face of the cage touches no filled loop.
+/// Whether a face of the surface touches no filled loop.
 bool has_rest(const FilledCage& filled) {
   std::vector<bool> free(filled.cage.faces.size(), false);
   for (const FilledLoop& loop : filled.loops) {
     for (const int f : loop.faces) free[f] = true;
     for (const int f : loop.rim) free[f] = true;
   }
+  for (const int f : filled.cage.holes) free[f] = true;
   return std::find(free.begin(), free.end(), false) != free.end();
 }
 
@@ -220,9 +243,6 @@ Result<RunCage> run_cage(Problem& problem) {
   Result<RunCage> result = problem.fill ? filled_cage(problem, *std::move(made))
                                         : RunCage{std::move(made->cage), std::move(made->report), problem.constraints};
   if (!result) return named(problem.cage, result.error());
-  if (problem.constraints.holes && !result->cage.holes.empty()) {
-    return named(problem.cage, Error{"constraints.holes: they must be filled, as the surface must be closed"});
-  }
   return result;
 }
 
