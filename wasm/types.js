@@ -48,9 +48,18 @@
  */
 
 /**
+ * Boundaries of the cage to be closed with quads.
+ * @typedef {object} Fill
+ * @property {number[]} [loops] numbers of boundaries, from 1; default all
+ * @property {number[]} [corners] numbers of vertices that are to be corners of patches of quads
+ */
+
+/**
  * @typedef {object} Problem
  * @property {CageInput} cage
  * @property {Terms} terms
+ * @property {Fill} [fill] unless the constraints say what is held, everything is that neither fills nor touches
+ *   a boundary
  * @property {{}} [constraints] there are none yet
  * @property {Options} [options]
  * @property {SurfaceState} [start] the surface from which the run starts; by default that of the cage

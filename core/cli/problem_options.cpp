@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cage/text.h"
 #include "cli/arguments.h"
@@ -15,6 +17,8 @@
 namespace umbilic::cli {
 
 namespace {
+
+constexpr const char* kAll = "all";
 
 Result<double> parse_tolerance(const std::string& text) {
   const Result<double> number = parse_real(text);
@@ -94,6 +98,36 @@ void add_groups(CLI::App& command, const std::shared_ptr<ProblemChanges>& change
   command.add_option_function<std::vector<std::string>>(name, add, words)->type_name("GROUP")->expected(1)->take_all();
 }
 
+/// Numbers of boundaries separated by commas; none for all of them.
+Result<std::vector<int>> parse_loops(const std::string& text) {
+  std::vector<int> loops;
+  if (text == kAll) return loops;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    const Result<int> loop = parse_count(text.substr(begin, comma - begin), 1, std::numeric_limits<int>::max());
+    if (!loop) {
+      return Error{fmt::format("{} is not all, nor numbers of boundaries as in 1,3 (where INPUT follows, write --fill=all)",
+                               in_quotes(text))};
+    }
+    loops.push_back(*loop);
+    begin = comma + 1;
+  }
+  return loops;
+}
+
+void add_fill(CLI::App& command, const std::shared_ptr<ProblemChanges>& changes) {
+  const auto set = [](Problem& problem, const std::vector<int>& loops) {
+    if (!problem.fill) problem.fill.emplace();
+    problem.fill->loops = loops;
+  };
+  add_change(command, changes, "--fill", "LOOPS",
+             "Close these boundaries with quads, numbered as `info` does (1,3), or all; what\n"
+             "neither fills nor touches them is held, unless --hold or --free say otherwise",
+             parse_loops, set)
+      ->expected(0, 1)
+      ->default_str(kAll);
+}
+
 }  // namespace
 
 void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges>& changes) {
@@ -163,6 +197,7 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.hold; });
   add_groups(command, changes, "--free", "Let only the faces of this group move; may be repeated",
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.free; });
+  add_fill(command, changes);
 }
 
 }  // namespace umbilic::cli

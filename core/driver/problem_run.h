@@ -10,15 +10,15 @@
 namespace umbilic {
 
 struct ProblemRun {
-  Problem problem;
-  CageReport cage;
+  Problem problem;  ///< with what is held on account of its fill
+  CageReport cage;  ///< of the cage after filling
   Run run;
 
   /// Report on the best surface so far. The caller fills in `program` and `certificate`.
   Report report() const;
 };
 
-/// Fails if the cage cannot be made (problem/cage_of.h) or the points of `start` do not fit it, and as `Run::create`.
+/// Fails if the cage cannot be made (problem/run_cage.h) or the points of `start` do not fit it, and as `Run::create`.
 Result<ProblemRun> begin_run(Problem problem);
 
 }  // namespace umbilic

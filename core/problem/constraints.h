@@ -55,6 +55,8 @@ struct Constraints {
 
   std::optional<Closeness> closeness{};
   std::optional<BoundaryConditions> boundary{};  ///< of open surfaces; tangent everywhere unless given
+  /// Faces of the cage that are holes: the surface has no points over them (Cage::holes).
+  std::optional<FaceSelection> holes{};
 
   bool holds_faces() const { return hold || free; }
   bool any() const { return holds_faces() || !pins.empty() || closeness; }
@@ -66,6 +68,7 @@ struct Constraints {
     if (!std::is_const_v<Self> || !self.pins.empty()) visit("pins", self.pins, "Points and normals that are held");
     visit("closeness", self.closeness, "How near the surface stays to the cage's own");
     visit("boundary", self.boundary, "What is held at the boundaries of an open surface; the tangents unless given");
+    visit("holes", self.holes, "Faces that are holes, over which there is no surface, but what fills them");
   }
 };
 
