@@ -22,11 +22,11 @@ Report ProblemRun::report() const {
 }
 
 Result<ProblemRun> begin_run(Problem problem) {
-  const Result<CheckedCage> cage = cage_of(problem.cage);
+  Result<CheckedCage> cage = cage_of(problem.cage);
   if (!cage) return cage.error();
   Result<Run> run = Run::create(cage->cage, problem.options, problem.constraints, problem.start);
   if (!run) return named(problem.cage, run.error());
-  return ProblemRun{std::move(problem), cage->report, std::move(run).value()};
+  return ProblemRun{std::move(problem), std::move(cage->report), std::move(run).value(), std::move(cage->cage.groups)};
 }
 
 }  // namespace umbilic

@@ -7,6 +7,7 @@ import { energyWarnings, roundingWords } from '../words/energies.js';
 import { functionalWords, stopWords } from '../words/functionals.js';
 import { counted, integer } from '../words/numbers.js';
 import { showsEntry } from './entry.js';
+import { problemOfHold } from './hold.js';
 import { canBeCertified, settingsAreFree } from './reduce.js';
 import { activeWeights, problemWith } from './settings.js';
 
@@ -22,7 +23,7 @@ import { activeWeights, problemWith } from './settings.js';
  */
 export function runButtons(state) {
   const { status, opening, asked } = state;
-  const usable = state.cage !== null && !problemWith(state.settings) && status !== 'unavailable';
+  const usable = state.cage !== null && !problemWith(state.settings) && !problemOfHold(state) && status !== 'unavailable';
   const startable = usable && (!opening || opening.then === 'hold') && opening?.purpose !== 'cage';
   const active = (status === 'running' || status === 'paused') && !opening;
   /** @type {Button} */
