@@ -89,12 +89,13 @@ std::string table(const Ending& ending) {
   const Run& run = ending.run.run;
   const RunOptions& options = ending.run.problem.options;
   const std::string objective = words(options.weights);
+  const std::optional<ConstraintsReport> constraints = run.constraints();
   return input_line(ending.cage, ending.run.cage) +
          fmt::format("minimized {}, cap {}, {}\n", objective, name_of(options.cap), group_words(run.group())) +
          level_table(run.levels()) + limit_line(run.limit()) +
          (ending.certificate ? certificate_line(*ending.certificate, run.group()) : "") +
          result_line(run.levels(), run.result()) + energy_table(run.energies(), objective) +
-         credibility_lines(run.energies());
+         (constraints ? constraints_table(*constraints) : "") + credibility_lines(run.energies());
 }
 
 /// Returns nothing if the user interrupts.

@@ -24,6 +24,33 @@ Result<double> parse_tolerance(const std::string& text) {
 
 Result<int> parse_iterations(const std::string& text) { return parse_count(text, 0, std::numeric_limits<int>::max()); }
 
+/// "17", "17@0,0.5,1", "17:normal". Other pins are written in a problem's file.
+Result<Pin> parse_pin(const std::string& text) {
+  Pin pin;
+  std::string rest = text;
+  constexpr std::string_view kNormal = ":normal";
+  if (rest.size() > kNormal.size() && std::string_view(rest).substr(rest.size() - kNormal.size()) == kNormal) {
+    pin.normal = true;
+    rest.resize(rest.size() - kNormal.size());
+  }
+  const std::size_t at = rest.find('@');
+  const Result<int> vertex = parse_count(rest.substr(0, at), 1, std::numeric_limits<int>::max());
+  if (!vertex) return vertex.error();
+  pin.vertex = *vertex;
+  if (at == rest.npos) return pin;
+  std::size_t begin = at + 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t end = axis < 2 ? rest.find(',', begin) : rest.size();
+    if (end == rest.npos) return Error{fmt::format("{} has no three coordinates behind @", in_quotes(text))};
+    const Result<double> number = parse_real(rest.substr(begin, end - begin));
+    if (!number) return number.error();
+    if (!pin.at) pin.at.emplace();
+    (*pin.at)[axis] = *number;
+    begin = end + 1;
+  }
+  return pin;
+}
+
 /// Adds an option that changes the problem if it is given.
 template <class Parse, class Apply>
 CLI::Option* add_change(CLI::App& command, const std::shared_ptr<ProblemChanges>& changes, const char* name,
@@ -88,6 +115,21 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
   add_change(command, changes, "--metric", "NAME",
              "What the optimizer measures steps with: auto, identity, sobolev or hessian [auto]", parse_metric,
              [](Problem& problem, MetricChoice metric) { problem.options.metric = metric; });
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--pin",
+          [changes](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              const Pin pin = parse_pin(text).value();
+              changes->push_back([pin](Problem& problem) { problem.constraints.pins.push_back(pin); });
+            }
+          },
+          "Hold the surface's point at a vertex (numbered from 1) where it is, or at X,Y,Z; with :normal\n"
+          "its normal too; may be repeated")
+      ->type_name("V[@X,Y,Z][:normal]")
+      ->expected(1)
+      ->take_all()
+      ->check(checked(parse_pin));
   add_groups(command, changes, "--hold",
              "Hold the faces of this group of the file: their surface stays; may be repeated",
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.hold; });

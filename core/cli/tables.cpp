@@ -103,6 +103,31 @@ std::string energy_table(const EnergyReport& energies, const std::string& object
   return text + input_rounding_lines(energies);
 }
 
+std::string constraints_table(const ConstraintsReport& report) {
+  const auto pull_words = [](const std::array<double, 3>& pull, double strength) {
+    return fmt::format("pulls with {:.6g} per length, ({:.6g}, {:.6g}, {:.6g})", strength, pull[0], pull[1], pull[2]);
+  };
+  std::string text;
+  if (report.held_faces > 0) {
+    text += fmt::format("held: {}, free: {}\n", plural(report.held_faces, "face", "faces"),
+                        plural(report.free_faces, "face", "faces"));
+  }
+  for (const HeldRegionReport& region : report.regions) {
+    text += fmt::format("  region of face {}, {}: {}\n", region.first_face, plural(region.faces, "face", "faces"),
+                        pull_words(region.pull, region.strength));
+  }
+  for (const PinReport& pin : report.pins) {
+    text += fmt::format("  pin {} at ({:.10g}, {:.10g}, {:.10g}): {}", pin.pin, pin.position[0], pin.position[1],
+                        pin.position[2], pull_words(pin.pull, pin.strength));
+    if (pin.off_surface > 0) text += fmt::format("; the surface passes at {:.1e}", pin.off_surface);
+    text += '\n';
+    if (pin.turned_over) text += fmt::format("warning: the surface at pin {} is inside out\n", pin.pin);
+  }
+  text += fmt::format("  largest deviation from the cage's own surface {:.6g}\n", report.deviation);
+  for (const std::string& note : report.notes) text += fmt::format("note: {}\n", note);
+  return text;
+}
+
 std::string credibility_lines(const EnergyReport& energies) {
   std::string text;
   if (energies.below_bound) {

@@ -23,6 +23,8 @@ std::string group_words(const GroupReport& group);
 /// What the energies prove of the surface, or why they are not to be believed; empty where there is nothing to say.
 std::string credibility_lines(const EnergyReport& energies);
 /// "energies of the last level", or of the level that is better.
+/// What constraints do to the surface; lengths in the units of the file.
+std::string constraints_table(const ConstraintsReport& report);
 std::string result_line(const std::vector<LevelReport>& levels, const LevelReport& result);
 /// The limit with its error bar, or why there is none.
 std::string limit_line(const LimitReport& limit);

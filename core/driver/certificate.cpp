@@ -11,6 +11,7 @@
 #include <random>
 
 #include "base/symmetric_eigen.h"
+#include "driver/equations.h"
 #include "driver/rules.h"
 #include "driver/surface.h"
 #include "mesh/hierarchy.h"
@@ -25,6 +26,22 @@ int negative_eigenvalues(const Eigen::MatrixXd& symmetric) {
   return static_cast<int>((symmetric_eigen(symmetric).values.array() < 0).count());
 }
 
+/// All that the constraints leave, whatever symmetry the surface has.
+Unknowns free_unknowns(const RefinedCage& cage, CapKind cap) {
+  Coordinates coordinates(cage.mesh, {}, held_points(cage, cap));
+  return Unknowns(coordinates, solutions_of(cage, coordinates));
+}
+
+/// Orthonormal directions of the control points that the constraints allow, over the unknowns.
+Eigen::MatrixXd in_unknowns(const Eigen::MatrixXd& directions, const Unknowns& unknowns) {
+  Eigen::MatrixXd result(unknowns.count(), directions.cols());
+  for (Eigen::Index i = 0; i < directions.cols(); ++i) {
+    result.col(i) = unknowns.direction(Eigen::Map<const Points>(directions.col(i).data(), directions.rows() / 3, 3));
+  }
+  if (unknowns.mapped()) orthonormalize(result);
+  return result;
+}
+
 /// Share of the work that assembling takes; the rest is factoring.
 constexpr double kAssemblyShare = 0.5;
 
@@ -33,8 +50,8 @@ constexpr double kAssemblyShare = 0.5;
 struct Certificate::State {
   RefinedCage cage;
   Surface surface;
-  Gauge gauge;
   Unknowns unknowns;
+  Eigen::MatrixXd gauge;  // orthonormal directions over the unknowns
   HessianAssembly assembly;
   SparseCholesky factor{SparseCholesky::Pivots::kNonzero};
   bool assembled = false, ended = false;
@@ -45,15 +62,15 @@ struct Certificate::State {
   State(RefinedCage start, CapKind cap, const Weights& weights, int quadrature, std::optional<double> fixed_area)
       : cage(std::move(start)),
         surface(cage, cap, weights, 0, fixed_area),
-        gauge(cage.held.empty() ? gauge_of(weights) : Gauge::none()),
-        unknowns(Coordinates(cage.mesh, {}, held_points(cage, cap))),
+        unknowns(free_unknowns(cage, cap)),
         assembly(surface.layout(), unknowns, weights, minimizing_rule(cap, weights, quadrature), kUmbilicEta,
                  fixed_area) {
     assembly.begin(cage.control);
     report.level = cage.level;
     report.unknowns = unknowns.count();
     report.tau = kCertificateTau;
-    report.gauge = gauge.dimension();
+    gauge = in_unknowns(free_gauge(cage, gauge_of(weights)), unknowns);
+    report.gauge = static_cast<int>(gauge.cols());
   }
 
   double progress() const {
@@ -91,15 +108,13 @@ struct Certificate::State {
   /// U^T -C^-1 0; G^T 0 0] with K + tau S = M + U C U^T.
   void count() {
     int negative = factor.negative();
-    Eigen::MatrixXd directions(unknowns.count(), 0);
-    if (gauge.dimension() > 0) directions = orthonormal_gauge(gauge, cage.control);
     const Eigen::Index rank = assembly.factors().cols();
-    Eigen::MatrixXd border(unknowns.count(), rank + directions.cols());
-    border << assembly.factors(), directions;
+    Eigen::MatrixXd border(unknowns.count(), rank + gauge.cols());
+    border << assembly.factors(), gauge;
     Eigen::MatrixXd schur = -border.transpose() * factor.solve(border);
     if (rank == 2) schur.topLeftCorner<2, 2>() -= Eigen::Matrix2d{{0, 1}, {1, 0}};
     negative += negative_eigenvalues((schur + schur.transpose()) / 2);
-    report.negative = negative - gauge.dimension() - (rank == 2 ? 1 : 0);
+    report.negative = negative - report.gauge - (rank == 2 ? 1 : 0);
     ended = true;
   }
 };

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "cage/text.h"
-#include "mesh/subgroup.h"
+#include "mesh/automorphism.h"
 
 namespace umbilic {
 namespace {
@@ -82,22 +82,25 @@ Result<std::vector<bool>> held_faces(const Cage& cage, const Constraints& constr
   return held;
 }
 
-SymmetryGroup symmetry_that_keeps(const std::vector<bool>& held, const SymmetryGroup& group, const PolygonMesh& mesh,
-                                  const Points& points) {
-  const std::vector<bool> near = near_held(held, mesh);
-  const double extent = (points.rowwise() - group.center.transpose()).rowwise().norm().maxCoeff();
-  return subgroup(group, mesh, [&](const Symmetry& element) {
-    for (int f = 0; f < mesh.face_count(); ++f) {
-      if (held[image_of_face(mesh, element.map, f)] != held[f]) return false;
-    }
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-      if (!near[v]) continue;
-      const Vector3 image = group.center + element.isometry * (points.row(v).transpose() - group.center);
-      const Vector3 there = points.row(image_of_vertex(mesh, element.map, v));
-      if ((image - there).norm() > kSamePoint * extent) return false;
-    }
-    return true;
-  });
+HeldFaces::HeldFaces(const std::vector<bool>& held, const PolygonMesh& mesh, const Points& points)
+    : held_(held), mesh_(mesh), points_(points) {
+  if (held.empty()) return;
+  near_ = near_held(held, mesh);
+  largest_difference_ = kSamePoint * (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+}
+
+bool HeldFaces::kept_by(const Symmetry& symmetry, const Vector3& center) const {
+  if (held_.empty()) return true;
+  for (int f = 0; f < mesh_.face_count(); ++f) {
+    if (held_[image_of_face(mesh_, symmetry.map, f)] != held_[f]) return false;
+  }
+  for (int v = 0; v < mesh_.vertex_count(); ++v) {
+    if (!near_[v]) continue;
+    const Vector3 image = center + symmetry.isometry * (points_.row(v).transpose() - center);
+    const Vector3 there = points_.row(image_of_vertex(mesh_, symmetry.map, v));
+    if ((image - there).norm() > largest_difference_) return false;
+  }
+  return true;
 }
 
 }  // namespace umbilic

@@ -16,9 +16,22 @@ namespace umbilic {
 /// have, and constraints that leave nothing free.
 Result<std::vector<bool>> held_faces(const Cage& cage, const Constraints& constraints);
 
-/// The largest subgroup that maps held faces to held faces and, within rounding, the control points that these depend
-/// on to one another. Nothing is moved to where a symmetry would have it.
-SymmetryGroup symmetry_that_keeps(const std::vector<bool>& held, const SymmetryGroup& group, const PolygonMesh& mesh,
-                                  const Points& points);
+/// Which symmetries keep held faces.
+class HeldFaces {
+ public:
+  /// `held` as from `held_faces`; `points` are the cage's. All must outlive this.
+  HeldFaces(const std::vector<bool>& held, const PolygonMesh& mesh, const Points& points);
+
+  /// Whether the symmetry, about `center`, maps held faces to held faces and, within rounding, the control points that
+  /// these depend on to one another. Nothing is moved to where a symmetry would have it.
+  bool kept_by(const Symmetry& symmetry, const Vector3& center) const;
+
+ private:
+  const std::vector<bool>& held_;
+  const PolygonMesh& mesh_;
+  const Points& points_;
+  std::vector<bool> near_;  // of each vertex: whether it is near a held face
+  double largest_difference_ = 0;
+};
 
 }  // namespace umbilic

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "driver/equations.h"
 #include "driver/gauss_bonnet.h"
 #include "driver/rules.h"
 #include "driver/thickness.h"
@@ -63,7 +64,9 @@ bool claims_a_minimum(StopReason reason) {
          reason == StopReason::kLineSearchStalled;
 }
 
-Unknowns unknowns_of(const RefinedCage& cage, const Coordinates& coordinates, const Surface& surface) {
+Unknowns make_unknowns(const RefinedCage& cage, const Coordinates& coordinates, const Surface& surface,
+                       const std::shared_ptr<const AffineSubspace>& solutions) {
+  if (solutions) return Unknowns(coordinates, solutions);
   if (surface.level() == cage.level) return Unknowns(coordinates);
   Refinement step = catmull_clark(cage.mesh);
   Eigen::SparseMatrix<double> stencil = step.stencil;
@@ -82,9 +85,12 @@ Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options
       coordinates_(start_.mesh, start_.symmetry, held_points(start_, options.cap)),
       surface_(refine(start_with_held_points(), evaluated_level - start_.level), options.cap, options.weights,
                options.quadrature, options.fixed_area),
-      gauge_(start_.held.empty() ? gauge_of(options.weights) : Gauge::none()),
-      unknowns_(unknowns_of(start_, coordinates_, surface_)),
-      metric_choice_(choose(options, surface_, unknowns_.count())) {}
+      gauge_(gauge_of(options.weights)),
+      solutions_(solutions_of(start_, coordinates_)),
+      unknowns_(make_unknowns(start_, coordinates_, surface_, solutions_)),
+      metric_choice_(choose(options, surface_, unknowns_.count())) {
+  if (start_.is_constrained() && !leaves_size_open(start_)) gauge_.scaling = false;
+}
 
 /// Puts held points of the start exactly where they are held.
 const RefinedCage& Level::start_with_held_points() {
@@ -92,9 +98,17 @@ const RefinedCage& Level::start_with_held_points() {
   return start_;
 }
 
+/// The optimizer's variables at control points of `start_`, or those of the nearest points that it can move to.
+Eigen::VectorXd Level::unknowns_of(const Points& control) const {
+  const Eigen::VectorXd all = coordinates_.unknowns(control);
+  return solutions_ ? solutions_->coordinates(all) : all;
+}
+
 RefinedCage Level::best_cage() const {
   RefinedCage cage = start_;
-  if (lbfgs_) cage.control = coordinates_.control(lbfgs_->best());
+  if (lbfgs_) {
+    cage.control = solutions_ ? unknowns_.control(lbfgs_->best()) : coordinates_.control(lbfgs_->best());
+  }
   return cage;
 }
 
@@ -105,7 +119,7 @@ void Level::start() {
   options.floor = kEnergyFloor;
   options.max_displacement = kLargestStep * extent(start_.control);
   const Metric& metric = metric_ ? static_cast<const Metric&>(*metric_) : kIdentityMetric;
-  lbfgs_ = std::make_unique<Lbfgs>(*objective_, metric, coordinates_.unknowns(start_.control), options);
+  lbfgs_ = std::make_unique<Lbfgs>(*objective_, metric, unknowns_of(start_.control), options);
 }
 
 void Level::prepare() {
@@ -116,7 +130,7 @@ void Level::prepare() {
 }
 
 bool Level::start_is_in_question() const {
-  return start_.held.empty() && !objective_->start_is_whole() && options_.max_iterations > 0 && !thicker_ &&
+  return !start_.is_constrained() && !objective_->start_is_whole() && options_.max_iterations > 0 && !thicker_ &&
          thicknesses_tried_ < kThicknessRatios.size();
 }
 

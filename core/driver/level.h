@@ -42,8 +42,8 @@ struct LevelOptions {
 class Level {
  public:
   /// Moves the points of `start`, and evaluates the surface on the mesh of `evaluated_level` >= start.level, which must
-  /// be equal if faces are held. The first steps make what only the optimizer needs, so that a surface that is only
-  /// viewed is available soon.
+  /// be equal where something is held. The first steps make what only the optimizer needs, so that a surface that is
+  /// only viewed is available soon.
   Level(RefinedCage start, int evaluated_level, const LevelOptions& options);
 
   /// One energy evaluation, or a part of a metric that costs no more. Returns whether the level has ended.
@@ -89,6 +89,7 @@ class Level {
 
  private:
   const RefinedCage& start_with_held_points();
+  Eigen::VectorXd unknowns_of(const Points& control) const;
   void prepare();
   void prepare_metric();
   bool start_is_in_question() const;
@@ -108,6 +109,7 @@ class Level {
   Coordinates coordinates_;  // of `start_`
   Surface surface_;
   Gauge gauge_;
+  std::shared_ptr<const AffineSubspace> solutions_;  // of the equations, over `coordinates_`; null without any
   Unknowns unknowns_;
   std::unique_ptr<SurfaceObjective> objective_;  // null before the first step, like the metric
   MetricChoice metric_choice_;                   // never kAutomatic

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "driver/held_point.h"
 #include "driver/surface.h"
 #include "mesh/coordinates.h"
 #include "problem/pin.h"
@@ -23,17 +24,6 @@
 #include "surface/limit_stencil.h"
 
 namespace umbilic {
-
-/// A pin with its place and its targets, in unit coordinates.
-struct HeldPoint {
-  SurfacePlace place;
-  Vector3 position = Vector3::Zero();
-  bool holds[3] = {};                ///< which coordinates of the position
-  Vector3 normal = Vector3::Zero();  ///< of length 1, pointing outward; zero if it is not held
-
-  bool holds_normal() const { return !normal.isZero(0); }
-  bool holds_position() const { return holds[0] || holds[1] || holds[2]; }
-};
 
 /// The pins on a cage at level 0. Targets that are not given are those of its surface S. Errors name the pin's member:
 /// "constraints.pins[2].vertex: 99, but the cage has 8 vertices".

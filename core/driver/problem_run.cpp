@@ -17,6 +17,7 @@ Report ProblemRun::report() const {
   report.levels = run.levels();
   report.limit = run.limit();
   report.energies = run.energies();
+  report.constraints = run.constraints();
   report.surface = run.state();
   return report;
 }

@@ -12,6 +12,8 @@
 #include <optional>
 #include <tuple>
 
+#include "driver/constraints_report.h"
+#include "driver/equations.h"
 #include "driver/extrapolate.h"
 #include "driver/level.h"
 #include "driver/memory.h"
@@ -50,6 +52,7 @@ struct Run::State {
   Progress progress;
   double level_seconds = 0;
   bool cancelled = false;
+  HeldRegions held_regions;                      // of the cage
   std::optional<double> fixed_area;              // see Surface
   mutable std::optional<EnergyReport> energies;  // cached for the current best surface
   mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
@@ -176,6 +179,7 @@ double own_area(const RefinedCage& cage, int required, CapKind cap) {
   RefinedCage own = cage;
   own.control = own.own;
   own.held.clear();
+  own.pins.clear();
   const RefinedCage refined = refine(std::move(own), required);
   const PatchLayout layout(refined.mesh, cap, face_orbits(refined.mesh, refined.symmetry));
   return surface_integrals(JetEvaluator(layout, reporting_rule(cap)), refined.control).area;
@@ -192,20 +196,27 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
       prepare(cage, std::max(options.last_level, start ? start->level : 0), options.symmetry || start, constraints);
   if (!prepared) return prepared.error();
   if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
-  const bool holds = !prepared->held.empty();
+  const bool constrained = prepared->is_constrained();
   auto state = std::make_unique<State>();
   state->options = options;
   state->required_level = required_level(prepared->mesh).value();
   if (auto error_of_size = too_large_a_run(*prepared, state->required_level, options)) return *error_of_size;
   for (int h = 0; h < prepared->mesh.halfedge_count(); ++h) state->faces_of_corners.push_back(prepared->mesh.face(h));
-  if (holds) state->fixed_area = own_area(*prepared, state->required_level, options.cap);
+  if (constrained && !leaves_size_open(*prepared))
+    state->fixed_area = own_area(*prepared, state->required_level, options.cap);
+  state->held_regions = HeldRegions(prepared->mesh, prepared->held);
   if (start) {
     prepared = at_state(std::move(prepared).value(), *start, options.cap, options.symmetry);
     if (!prepared) return Error{"start: " + prepared.error().message};
     if (!options.symmetry) prepared->symmetry = {};
   }
-  const int first_level = holds ? std::max(options.first_level, state->required_level) : options.first_level;
-  const RefinedCage first = refine(std::move(prepared).value(), first_level - prepared->level);
+  const int first_level = constrained ? std::max(options.first_level, state->required_level) : options.first_level;
+  RefinedCage first = refine(std::move(prepared).value(), first_level - prepared->level);
+  if (constrained) {
+    const Coordinates coordinates(first.mesh, first.symmetry, held_points(first, options.cap));
+    if (auto error_of_rows = contradiction_of(first, coordinates)) return *error_of_rows;
+    first.control = moved_to_equations(first, coordinates);
+  }
   state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
   state->update_progress();
   return Run(std::move(state));
@@ -258,6 +269,12 @@ GroupReport Run::group() const {
 LimitReport Run::limit() const {
   return extrapolate(state_->energies_of_levels, third_order(state_->options.weights),
                      state_->level->surface().lower_bound());
+}
+
+std::optional<ConstraintsReport> Run::constraints() const {
+  const Surface& surface = state_->level->surface();
+  if (!surface.cage().is_constrained()) return std::nullopt;
+  return constraints_report(surface, state_->level->best(), state_->held_regions);
 }
 
 Result<Certificate> Run::certify() const {

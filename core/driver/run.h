@@ -63,6 +63,9 @@ class Run {
   /// The limit of the levels ended so far.
   LimitReport limit() const;
 
+  /// What the constraints do to the best surface so far; empty without any. Costs several evaluations.
+  std::optional<ConstraintsReport> constraints() const;
+
   /// Begins to count the negative directions at the best surface so far; see CertificateReport. Fails for `flat` caps,
   /// whose normals the Hessian holds fixed, and for meshes of more than kMaxCertifiedFaces faces.
   Result<Certificate> certify() const;

@@ -13,9 +13,11 @@
 #include "driver/contradiction.h"
 #include "driver/gauss_bonnet.h"
 #include "driver/held_faces.h"
+#include "driver/pin_rows.h"
 #include "mesh/components.h"
 #include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
+#include "mesh/subgroup.h"
 
 namespace umbilic {
 
@@ -43,9 +45,18 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, co
     return Error{fmt::format("level {} would have {:.3g} faces; at most {} are possible", steps, faces, kMaxFaces)};
   }
   if (symmetric) result.symmetry = find_symmetry(mesh, result.control);
-  if (!result.held.empty()) {
-    result.own = result.control;
-    result.symmetry = symmetry_that_keeps(result.held, result.symmetry, mesh, result.control);
+  if (constraints.any()) {
+    Result<std::vector<HeldPoint>> pins = hold(constraints.pins, result);
+    if (!pins) return pins.error();
+    result.pins = std::move(pins).value();
+    if (!result.held.empty() || !result.pins.empty()) result.own = result.control;
+  }
+  if (result.is_constrained()) {
+    const HeldFaces held_part(result.held, mesh, result.own);
+    const Vector3 center = result.symmetry.center;
+    result.symmetry = subgroup(result.symmetry, mesh, [&](const Symmetry& element) {
+      return held_part.kept_by(element, center) && keeps(element, center, result.pins, mesh);
+    });
   }
   const Coordinates coordinates(mesh, result.symmetry);
   result.control = coordinates.control(coordinates.unknowns(result.control));
@@ -57,12 +68,13 @@ RefinedCage refine(RefinedCage cage, int steps) {
     Refinement finer = catmull_clark(cage.mesh);
     cage.symmetry = refined(cage.symmetry, cage.mesh);
     cage.control = (finer.stencil * cage.control).eval();
+    if (cage.is_constrained()) cage.own = (finer.stencil * cage.own).eval();
     if (!cage.held.empty()) {
       std::vector<bool> held(cage.mesh.halfedge_count());
       for (int h = 0; h < cage.mesh.halfedge_count(); ++h) held[h] = cage.held[cage.mesh.face(h)];
       cage.held = std::move(held);
-      cage.own = (finer.stencil * cage.own).eval();
     }
+    cage.pins = refined(std::move(cage.pins), cage.mesh);
     cage.mesh = std::move(finer.mesh);
     ++cage.level;
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cage/placement.h"
+#include "driver/held_point.h"
 #include "driver/rules.h"
 #include "energy/lower_bounds.h"
 #include "energy/surface_energy.h"
@@ -27,8 +28,11 @@ struct RefinedCage {
   SymmetryGroup symmetry;    ///< the symmetry that the optimizer keeps; C1 for none
   Placement placement{};     ///< from unit coordinates back to the cage's own
   std::vector<bool> held{};  ///< of each face: whether the surface over it stays; empty if all are free
+  std::vector<HeldPoint> pins{};
   /// Where something is held: the control points of the cage's own surface, its pure subdivision; else empty.
   Points own{};
+
+  bool is_constrained() const { return own.size() > 0; }
 };
 
 inline constexpr int kMaxFaces = 2'000'000;

@@ -15,7 +15,7 @@ namespace {
 
 /// What `refine` does, without the control points, which nobody asks for.
 RefinedCage refine_connectivity(RefinedCage cage, int steps) {
-  if (!cage.held.empty()) return refine(std::move(cage), steps);
+  if (cage.is_constrained()) return refine(std::move(cage), steps);
   for (; steps > 0; --steps) {
     cage.symmetry = refined(cage.symmetry, cage.mesh);
     cage.mesh = catmull_clark_mesh(cage.mesh);
@@ -43,7 +43,7 @@ Result<RefinedCage> at_state(RefinedCage cage, const SurfaceState& state, CapKin
   const Points unit = result.placement.to_unit(points);
   if (all && orbits < vertices) {
     result.symmetry = {};
-    if (symmetric && result.held.empty()) result.symmetry = find_symmetry(result.mesh, unit);
+    if (symmetric && !result.is_constrained()) result.symmetry = find_symmetry(result.mesh, unit);
     const Coordinates coordinates(result.mesh, result.symmetry, held_points(result, cap));
     result.control = coordinates.control(coordinates.unknowns(unit));
   } else {

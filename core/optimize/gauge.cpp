@@ -26,14 +26,18 @@ Eigen::MatrixXd gauge_directions(const Gauge& gauge, const Points& control) {
 }
 
 /// Gram and Schmidt's process, each column twice: once leaves too much of the others where the points are nearly flat.
-Eigen::MatrixXd orthonormal_gauge(const Gauge& gauge, const Points& control) {
-  Eigen::MatrixXd q = gauge_directions(gauge, control);
+void orthonormalize(Eigen::MatrixXd& q) {
   for (Eigen::Index i = 0; i < q.cols(); ++i) {
     for (int pass = 0; pass < 2; ++pass) {
       for (Eigen::Index j = 0; j < i; ++j) q.col(i) -= q.col(j).dot(q.col(i)) * q.col(j);
     }
     q.col(i).normalize();
   }
+}
+
+Eigen::MatrixXd orthonormal_gauge(const Gauge& gauge, const Points& control) {
+  Eigen::MatrixXd q = gauge_directions(gauge, control);
+  orthonormalize(q);
   return q;
 }
 

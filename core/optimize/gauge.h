@@ -26,9 +26,6 @@ struct Gauge {
   bool scaling = true;
   bool conformal = false;  ///< the special conformal maps
 
-  /// That of a surface of which a part is held.
-  static constexpr Gauge none() { return {false, false, false, false}; }
-
   int dimension() const { return 3 * translations + 3 * rotations + scaling + 3 * conformal; }
 };
 
@@ -45,6 +42,9 @@ Eigen::MatrixXd gauge_directions(const Gauge& gauge, const Points& control);
 
 /// An orthonormal basis of the span of `gauge_directions`.
 Eigen::MatrixXd orthonormal_gauge(const Gauge& gauge, const Points& control);
+
+/// Replaces independent columns by an orthonormal basis of their span.
+void orthonormalize(Eigen::MatrixXd& columns);
 
 /// The direction of growth about the centroid, x - mean(x). It is also the gradient of half the points' moment about
 /// their centroid.

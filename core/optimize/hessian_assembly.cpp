@@ -59,7 +59,7 @@ bool HessianAssembly::advance() {
     case Stage::kReduce:
       assembly_.eliminate(hessian_sums_);
       assembly_.eliminate(sobolev_sums_);
-      if (unknowns_.coarse()) {
+      if (unknowns_.mapped()) {
         reduced_hessian_ = unknowns_.reduce(assembly_.lower(hessian_sums_.values));
         reduced_sobolev_ = unknowns_.reduce(assembly_.lower(sobolev_sums_.values));
       }
@@ -71,7 +71,7 @@ bool HessianAssembly::advance() {
 }
 
 HessianAssembly::Matrix HessianAssembly::combine(double hessian_factor, double sobolev_factor) const {
-  if (unknowns_.coarse()) return hessian_factor * reduced_hessian_ + sobolev_factor * reduced_sobolev_;
+  if (unknowns_.mapped()) return hessian_factor * reduced_hessian_ + sobolev_factor * reduced_sobolev_;
   std::vector<double> values(assembly_.nonzeros());
   for (std::size_t i = 0; i < values.size(); ++i) {
     values[i] = hessian_factor * hessian_sums_.values[i] + sobolev_factor * sobolev_sums_.values[i];

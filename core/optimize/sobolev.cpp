@@ -11,7 +11,7 @@ namespace umbilic {
 SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns, const Gauge& gauge)
     : energy_(energy),
       unknowns_(unknowns),
-      scalar_(unknowns.coordinates().cartesian() && !unknowns.coarse()),
+      scalar_(unknowns.coordinates().cartesian() && !unknowns.mapped()),
       scaling_(gauge.scaling),
       assembly_(energy.layout(), unknowns.coordinates(), scalar_),
       form_(energy.layout(), energy.weights()) {}
@@ -40,7 +40,7 @@ bool SobolevMetric::advance() {
     case Stage::kSum: {
       assembly_.eliminate(sums_);
       Eigen::SparseMatrix<double> matrix = assembly_.lower(sums_.values);
-      if (unknowns_.coarse()) matrix = unknowns_.reduce(matrix);
+      if (unknowns_.mapped()) matrix = unknowns_.reduce(matrix);
       factor_.begin(std::move(matrix));
       stage_ = Stage::kFactor;
       [[fallthrough]];

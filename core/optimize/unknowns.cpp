@@ -9,8 +9,8 @@ namespace umbilic {
 
 Eigen::SparseMatrix<double> Unknowns::reduce(const Eigen::SparseMatrix<double>& lower) const {
   const Eigen::SparseMatrix<double> full = lower.selfadjointView<Eigen::Lower>();
-  const Eigen::SparseMatrix<double> half = full * prolongation_;
-  const Eigen::SparseMatrix<double> reduced = prolongation_.transpose() * half;
+  const Eigen::SparseMatrix<double> half = full * map_;
+  const Eigen::SparseMatrix<double> reduced = map_.transpose() * half;
   return reduced.triangularView<Eigen::Lower>();
 }
 

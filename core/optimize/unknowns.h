@@ -4,28 +4,40 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <memory>
 
 #include "mesh/coordinates.h"
+#include "solve/affine_subspace.h"
 
 namespace umbilic {
 
-/// control = offset + B Q unknowns. B is the matrix of `coordinates`; Q subdivides from the coarser mesh to the
-/// evaluated one, in the coordinates of both. Q = I if they are the same mesh.
+/// control = offset + B (q0 + Q unknowns), where B is the matrix of `coordinates`. Of the same mesh without equations,
+/// q0 = 0 and Q = I. Otherwise Q subdivides from the coarser mesh to the evaluated one, in the coordinates of both; or
+/// q0 and Q are the origin and the basis of the solutions of linear equations.
 class Unknowns {
  public:
   explicit Unknowns(Coordinates coordinates) : coordinates_(std::move(coordinates)) {}
   /// `stencil` maps points of the coarser mesh to those of the finer one. Both coordinates must be for the same group.
   Unknowns(Coordinates coordinates, const Coordinates& coarse, const Eigen::SparseMatrix<double>& stencil)
       : coordinates_(std::move(coordinates)),
-        prolongation_(coordinates_.matrix().transpose() * stencil_of_coordinates(stencil) * coarse.matrix()) {}
+        map_(coordinates_.matrix().transpose() * stencil_of_coordinates(stencil) * coarse.matrix()) {}
 
-  int count() const { return coarse() ? static_cast<int>(prolongation_.cols()) : coordinates_.count(); }
-  bool coarse() const { return prolongation_.size() > 0; }
+  /// Solutions of equations over the unknowns of `coordinates`.
+  Unknowns(Coordinates coordinates, std::shared_ptr<const AffineSubspace> solutions)
+      : coordinates_(std::move(coordinates)), solutions_(std::move(solutions)) {
+    if (solutions_) map_ = solutions_->basis();
+  }
+
+  int count() const { return mapped() ? static_cast<int>(map_.cols()) : coordinates_.count(); }
+  /// Whether Q is not I.
+  bool mapped() const { return solutions_ || map_.size() > 0; }
   const Coordinates& coordinates() const { return coordinates_; }
 
   void control(const Eigen::VectorXd& unknowns, Points& control) const {
-    if (!coarse()) return coordinates_.control(unknowns, control);
-    coordinates_.control(Eigen::VectorXd(prolongation_ * unknowns), control);
+    if (!mapped()) return coordinates_.control(unknowns, control);
+    Eigen::VectorXd q = map_ * unknowns;
+    if (solutions_) q += solutions_->origin();
+    coordinates_.control(q, control);
   }
   Points control(const Eigen::VectorXd& unknowns) const {
     Points points;
@@ -33,10 +45,17 @@ class Unknowns {
     return points;
   }
 
+  /// The change of the unknowns that moves the control points by `direction`, or by the nearest direction that they can
+  /// move in. Not for unknowns of a coarser mesh.
+  Eigen::VectorXd direction(const Points& direction) const {
+    Eigen::VectorXd change = coordinates_.pull_back(direction);
+    return solutions_ ? solutions_->coordinates(solutions_->origin() + change) : change;
+  }
+
   /// The gradient with respect to the unknowns.
   void pull_back(const Points& gradient, Eigen::VectorXd& result) const {
     coordinates_.pull_back(gradient, result);
-    if (coarse()) result = (prolongation_.transpose() * result).eval();
+    if (mapped()) result = (map_.transpose() * result).eval();
   }
   Eigen::VectorXd pull_back(const Points& gradient) const {
     Eigen::VectorXd result;
@@ -51,7 +70,8 @@ class Unknowns {
   static Eigen::SparseMatrix<double> stencil_of_coordinates(const Eigen::SparseMatrix<double>& stencil);
 
   Coordinates coordinates_;
-  Eigen::SparseMatrix<double> prolongation_;
+  Eigen::SparseMatrix<double> map_;  // Q
+  std::shared_ptr<const AffineSubspace> solutions_;
 };
 
 }  // namespace umbilic

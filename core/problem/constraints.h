@@ -31,9 +31,9 @@ struct FaceSelection {
 /// points that it depends on; the surface over the others joins it as smoothly as the surface is inside (with
 /// continuous curvature, except at extraordinary vertices).
 struct Constraints {
-  std::optional<FaceSelection> hold;  ///< the faces that are held
-  std::optional<FaceSelection> free;  ///< the faces that are not; all others are held
-  std::vector<Pin> pins;              ///< points and normals that are held
+  std::optional<FaceSelection> hold{};  ///< the faces that are held
+  std::optional<FaceSelection> free{};  ///< the faces that are not; all others are held
+  std::vector<Pin> pins{};              ///< points and normals that are held
 
   bool holds_faces() const { return hold || free; }
   bool any() const { return holds_faces() || !pins.empty(); }

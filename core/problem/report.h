@@ -201,6 +201,67 @@ struct CertificateReport {
   }
 };
 
+/// How strongly a held point is pulled, and where it is.
+struct PinReport {
+  int pin = 0;
+  std::array<double, 3> position{};
+  std::array<double, 3> pull{};
+  double strength = 0;
+  double off_surface = 0;
+  bool turned_over = false;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("pin", self.pin, "Its number in the problem, from 1");
+    visit("position", self.position, "Where its point of the surface is, x, y, z");
+    visit("pull", self.pull,
+          "Derivative of the minimal energy by the position of the pin, in energy per length: moved against it, the "
+          "energy falls");
+    visit("strength", self.strength, "Length of pull");
+    visit("off_surface", self.off_surface,
+          "Distance between the held point of the limit surface without caps and that of the surface; it falls from "
+          "level to level");
+    visit("turned_over", self.turned_over, "Whether the surface has its inside where the held normal points");
+  }
+};
+
+/// Faces that are held and hang together.
+struct HeldRegionReport {
+  int faces = 0;
+  int first_face = 0;
+  std::array<double, 3> pull{};
+  double strength = 0;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("faces", self.faces, "Number of its faces in the cage");
+    visit("first_face", self.first_face, "The first of them, counted from 1");
+    visit("pull", self.pull, "Derivative of the minimal energy by moving the region as a whole, in energy per length");
+    visit("strength", self.strength, "Length of pull");
+  }
+};
+
+/// What the constraints of a run do to its best surface.
+struct ConstraintsReport {
+  int held_faces = 0;
+  int free_faces = 0;
+  double deviation = 0;
+  std::vector<HeldRegionReport> regions;
+  std::vector<PinReport> pins;
+  std::vector<std::string> notes;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("held_faces", self.held_faces, "Number of faces of the cage that are held");
+    visit("free_faces", self.free_faces, "Number of the others");
+    visit("deviation", self.deviation,
+          "Largest distance between points of the surface and the same points of the cage's own surface");
+    visit("regions", self.regions, "Held faces that hang together, in the order of their first faces");
+    visit("pins", self.pins, "In the order of the problem");
+    visit("notes", self.notes, "What else a user should know, a sentence each");
+  }
+};
+
 struct EvaluationReport {
   int level = 0;
   int patches = 0;
@@ -248,6 +309,7 @@ struct Report {
   std::vector<LevelReport> levels;
   LimitReport limit;
   EnergyReport energies;
+  std::optional<ConstraintsReport> constraints;
   std::optional<CertificateReport> certificate;
   std::optional<SurfaceState> surface;
 
@@ -261,6 +323,7 @@ struct Report {
     visit("levels", self.levels, "Those that have ended, in order");
     visit("limit", self.limit, "What the levels say about the limit of their energies");
     visit("energies", self.energies, "Of the best surface, by the reporting rule");
+    visit("constraints", self.constraints, "What the constraints do, where there are any");
     visit("certificate", self.certificate, "Whether the surface is a minimum among all surfaces near it");
     visit("surface", self.surface, "The best surface, where the problem goes on");
   }

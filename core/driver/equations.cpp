@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Puts the rows of pins together, and solves them.
+#include "driver/equations.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <vector>
+
+namespace umbilic {
+namespace {
+
+AffineSubspace subspace(const RefinedCage& cage, const Coordinates& coordinates) {
+  return AffineSubspace(in_coordinates(equations_of(cage).rows, coordinates), coordinates.unknowns(cage.control));
+}
+
+}  // namespace
+
+PinRows equations_of(const RefinedCage& cage) { return pin_rows(cage.pins, cage.mesh); }
+
+std::string name_of(const PinRows& rows, int row) {
+  constexpr std::array kNames{"x", "y", "z", "normal", "normal"};
+  const PinRow& owner = rows.owners[row];
+  return fmt::format("pin {} ({})", owner.pin + 1, kNames[owner.coordinate]);
+}
+
+std::shared_ptr<const AffineSubspace> solutions_of(const RefinedCage& cage, const Coordinates& coordinates) {
+  if (cage.pins.empty()) return nullptr;
+  return std::make_shared<const AffineSubspace>(subspace(cage, coordinates));
+}
+
+std::optional<Error> contradiction_of(const RefinedCage& cage, const Coordinates& coordinates) {
+  if (cage.pins.empty()) return std::nullopt;
+  const AffineSubspace solutions = subspace(cage, coordinates);
+  if (solutions.contradiction().empty()) return std::nullopt;
+  const PinRows rows = equations_of(cage);
+  std::string names;
+  for (const int row : solutions.contradiction()) {
+    if (const std::string name = name_of(rows, row); names.find(name) == names.npos) {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+  }
+  return Error{
+      fmt::format("constraints: {} cannot all hold{}", names, cage.held.empty() ? "" : " while the held faces stay")};
+}
+
+namespace {
+
+/// Weight of |d|^2, a displacement of all points, beside |L d|^2.
+constexpr double kDisplacementWeight = 1e-6;
+/// Equations hold where their residual is below this part of the size.
+constexpr double kHolds = 1e-9;
+
+/// L^2 + e I over the coordinates 3 v + c of the vertices; L has the valence on the diagonal and -1 for each edge.
+Eigen::SparseMatrix<double> smoothness(const PolygonMesh& mesh) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int h = 0; h < mesh.halfedge_count(); ++h) {
+    for (int c = 0; c < 3; ++c) {
+      entries.emplace_back(3 * mesh.origin(h) + c, 3 * mesh.target(h) + c, -1);
+      entries.emplace_back(3 * mesh.origin(h) + c, 3 * mesh.origin(h) + c, 1);
+    }
+  }
+  const int size = 3 * mesh.vertex_count();
+  Eigen::SparseMatrix<double> laplacian(size, size), identity(size, size);
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  identity.setIdentity();
+  return laplacian * laplacian + kDisplacementWeight * identity;
+}
+
+}  // namespace
+
+Points moved_to_equations(const RefinedCage& cage, const Coordinates& coordinates) {
+  if (cage.pins.empty()) return cage.control;
+  const LinearRows rows = in_coordinates(equations_of(cage).rows, coordinates);
+  const Eigen::VectorXd start = coordinates.unknowns(cage.control);
+  if ((rows.matrix * start - rows.right).cwiseAbs().maxCoeff() <= kHolds) return cage.control;
+  const AffineSubspace solutions(rows, start);
+  const Eigen::SparseMatrix<double> basis = coordinates.matrix(), move = basis * solutions.basis();
+  const Eigen::SparseMatrix<double> smooth = smoothness(cage.mesh);
+  const Eigen::SparseMatrix<double> reduced = move.transpose() * (smooth * move);
+  const Eigen::VectorXd nearest = basis * (solutions.origin() - start);
+  SparseCholesky factor(SparseCholesky::Pivots::kPositive);
+  factor.begin(reduced.triangularView<Eigen::Lower>());
+  while (!factor.advance()) {
+  }
+  if (!factor.succeeded()) return coordinates.control(solutions.origin());
+  const Eigen::VectorXd y = -factor.solve(Eigen::VectorXd(move.transpose() * (smooth * nearest)));
+  return coordinates.control(solutions.point(y));
+}
+
+Eigen::MatrixXd free_gauge(const RefinedCage& cage, const Gauge& gauge) {
+  if (!cage.held.empty() || gauge.dimension() == 0) return Eigen::MatrixXd(cage.control.size(), 0);
+  const Eigen::MatrixXd all = orthonormal_gauge(gauge, cage.control);
+  if (cage.pins.empty()) return all;
+  return subspace(cage, Coordinates(cage.mesh.vertex_count())).kept(all);
+}
+
+bool leaves_size_open(const RefinedCage& cage) {
+  Gauge isometries;
+  isometries.scaling = false;
+  return free_gauge(cage, Gauge()).cols() > free_gauge(cage, isometries).cols();
+}
+
+}  // namespace umbilic

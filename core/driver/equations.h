@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The linear equations that a run's control points fulfil, beside those that are held in place.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "driver/pin_rows.h"
+#include "driver/surface.h"
+#include "optimize/gauge.h"
+
+namespace umbilic {
+
+/// The equations over the coordinates 3 v + c of the control points.
+PinRows equations_of(const RefinedCage& cage);
+
+/// What equation `row` holds, for messages: "pin 2 (x)".
+std::string name_of(const PinRows& rows, int row);
+
+/// The solutions over the unknowns of `coordinates`, nearest to the cage's control points; null without equations. The
+/// equations must not contradict one another.
+std::shared_ptr<const AffineSubspace> solutions_of(const RefinedCage& cage, const Coordinates& coordinates);
+
+/// An error that names a smallest set of equations that contradict one another, or held faces, if there is one.
+std::optional<Error> contradiction_of(const RefinedCage& cage, const Coordinates& coordinates);
+
+/// The cage's control points, moved to where the equations hold as smoothly as possible: of all displacements d that do
+/// it, that with the least |L d|^2 + e |d|^2, L the graph's Laplacian and e a small number that only decides where L
+/// leaves a choice. Unchanged where the equations hold already.
+Points moved_to_equations(const RefinedCage& cage, const Coordinates& coordinates);
+
+/// The directions in which the functional's energy does not change and that all constraints allow: an orthonormal basis
+/// over the coordinates of all control points.
+Eigen::MatrixXd free_gauge(const RefinedCage& cage, const Gauge& gauge);
+
+/// Whether the constraints leave the size of the surface open.
+bool leaves_size_open(const RefinedCage& cage);
+
+}  // namespace umbilic
