@@ -88,7 +88,6 @@ umbilic_status umbilic_cage_counts(const umbilic_cage* cage, umbilic_text* count
 umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out) {
   return guarded([&] {
     if (!all_given(cage, out)) return UMBILIC_BAD_ARGUMENT;
-    if (const auto open = refuse_open(cage->cage)) return fail(*open);
     hand_out(cage->cage, {}, out);
     return UMBILIC_OK;
   });

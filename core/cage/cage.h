@@ -23,9 +23,6 @@ struct Cage {
   Points vertices{};
   std::vector<std::vector<int>> faces{};  ///< corners in cyclic order, zero-based
   std::vector<FaceGroup> groups{};        ///< in the order of their first faces
-  /// Of an open cage the sentence that refuses it, with the line of its first open edge; set by `validate`. It is here
-  /// only as long as meshes must be closed; see `refuse_open` in driver/surface.h.
-  std::string open{};
   /// The faces that are holes, ascending: they take part in subdivision, as the others do, but the surface has no
   /// points over them. A ring of them beyond a boundary says how the surface meets it.
   std::vector<int> holes{};

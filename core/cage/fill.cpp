@@ -308,7 +308,6 @@ Result<FilledCage> fill(const Cage& cage, const FillOptions& options) {
     result.loops.push_back(*std::move(filled));
   }
   if (auto error = check_edges(result.cage)) return *error;
-  result.cage.open.clear();
   return result;
 }
 

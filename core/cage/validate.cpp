@@ -105,19 +105,6 @@ std::optional<Error> check_edges(const std::vector<EdgeUse>& uses, const Naming&
   return std::nullopt;
 }
 
-/// Why an open cage is refused below this layer; see `Cage::open`.
-std::string refusal(const std::vector<EdgeUse>& open, const std::optional<std::string>& pair, const Naming& naming) {
-  if (open.empty()) return "";
-  const auto in_text_order = [](const EdgeUse& a, const EdgeUse& b) {
-    return std::pair(a.face, a.corner) < std::pair(b.face, b.corner);
-  };
-  return naming
-      .at_edge(*std::min_element(open.begin(), open.end(), in_text_order),
-               fmt::format("has a face on one side only: the surface is open (open edges: {}){}", open.size(),
-                           pair ? fmt::format("; {} it", *pair) : ""))
-      .message;
-}
-
 std::optional<Error> check_fans(const Cage& cage, const std::vector<EdgeUse>& uses, const Naming& naming) {
   const std::vector<int> fans = fan_counts(cage, uses);
   const auto pinched = std::find_if(fans.begin(), fans.end(), [](int count) { return count > 1; });
@@ -198,7 +185,6 @@ Result<CageReport> validate(Cage& cage, const CageSource& source) {
   std::vector<bool> is_open(sizes.size(), false);
   for (const EdgeUse& use : open) is_open[orientation.component[use.face]] = true;
   const std::optional<std::string> pair = coincident_pair(cage, open, naming);
-  cage.open = refusal(open, pair, naming);
   const TurnedFaces turned = turn_outward(cage, orientation, sizes, is_open);
   CageReport report = count(cage, uses, orientation, boundary_loops(cage, open));
   for (CageBoundary& boundary : report.boundaries) boundary.first_vertex = naming.vertex(boundary.first_vertex);

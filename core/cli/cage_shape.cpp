@@ -4,7 +4,6 @@
 #include "cli/cage_shape.h"
 
 #include "cage/edges.h"
-#include "driver/surface.h"
 #include "mesh/hierarchy.h"
 #include "mesh/polygon_mesh.h"
 
@@ -21,10 +20,6 @@ CageShape shape_of(const Cage& cage) {
   }
   for (const int edges : valence) ++shape.valences[edges];
   for (const std::vector<int>& face : cage.faces) ++shape.face_sizes[static_cast<int>(face.size())];
-  if (const auto open = refuse_open(cage)) {
-    shape.obstacle = open->message;
-    return shape;
-  }
   const Result<int> level = required_level(PolygonMesh(cage));
   if (level) {
     shape.first_level = *level;

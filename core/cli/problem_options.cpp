@@ -24,6 +24,13 @@ Result<double> parse_tolerance(const std::string& text) {
 
 Result<int> parse_iterations(const std::string& text) { return parse_count(text, 0, std::numeric_limits<int>::max()); }
 
+Result<BoundaryCondition> parse_boundary(const std::string& text) {
+  for (int i = 0; !name_of(static_cast<BoundaryCondition>(i)).empty(); ++i) {
+    if (name_of(static_cast<BoundaryCondition>(i)) == text) return static_cast<BoundaryCondition>(i);
+  }
+  return Error{fmt::format("{} is none of free, position, tangent, curvature", in_quotes(text))};
+}
+
 /// "17", "17@0,0.5,1", "17:normal". Other pins are written in a problem's file.
 Result<Pin> parse_pin(const std::string& text) {
   Pin pin;
@@ -130,6 +137,11 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
       ->expected(1)
       ->take_all()
       ->check(checked(parse_pin));
+  add_change(command, changes, "--boundary", "CONDITION",
+             "What is held at the boundaries of an open surface: free, position, tangent or curvature [tangent]",
+             parse_boundary, [](Problem& problem, BoundaryCondition condition) {
+               problem.constraints.boundary = BoundaryConditions{condition, {}};
+             });
   add_groups(command, changes, "--hold",
              "Hold the faces of this group of the file: their surface stays; may be repeated",
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.hold; });

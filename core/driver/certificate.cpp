@@ -124,8 +124,8 @@ Result<Certificate> Certificate::create(const RefinedCage& cage, CapKind cap, co
   if (cap == CapKind::kFlat) {
     return Error{"no certificate with cap flat: its second derivatives take the caps' normals as fixed"};
   }
-  if (cage.mesh.face_count() > kMaxCertifiedFaces) {
-    return Error{fmt::format("no certificate on {} patches; at most {} are possible", cage.mesh.face_count(),
+  if (cage.mesh.surface_face_count() > kMaxCertifiedFaces) {
+    return Error{fmt::format("no certificate on {} patches; at most {} are possible", cage.mesh.surface_face_count(),
                              kMaxCertifiedFaces)};
   }
   RefinedCage free = cage;

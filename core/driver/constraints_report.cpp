@@ -109,7 +109,8 @@ Vector3 surface_point(const PatchLayout& layout, const Points& points, const Pol
 
 }  // namespace
 
-HeldRegions::HeldRegions(const PolygonMesh& mesh, const std::vector<bool>& held) : of_face(mesh.face_count(), -1) {
+HeldRegions::HeldRegions(const PolygonMesh& mesh, const std::vector<bool>& held)
+    : of_face(mesh.face_count(), -1), surface_faces(mesh.surface_face_count()) {
   if (held.empty()) return;
   std::vector<int> queue;
   for (int first = 0; first < mesh.face_count(); ++first) {
@@ -138,7 +139,7 @@ ConstraintsReport constraints_report(const Surface& surface, const Points& contr
     return Vector3(pull.unaryExpr([&](double x) { return std::ldexp(x, -cage.placement.exponent); }));
   };
   ConstraintsReport report;
-  report.free_faces = static_cast<int>(regions.of_face.size());
+  report.free_faces = regions.surface_faces;
   for (const int size : regions.sizes) {
     report.held_faces += size;
     report.free_faces -= size;
@@ -186,6 +187,7 @@ ConstraintsReport constraints_report(const Surface& surface, const Points& contr
   }
   if (!solved) return report;
   for (const int row : solutions.redundant()) {
+    if (rows.owners[row].pin < 0) continue;  // corners have some by their nature
     report.notes.push_back(fmt::format("{} follows from the others and was dropped", name_of(rows, row)));
   }
   return report;

@@ -17,6 +17,7 @@ namespace umbilic {
 struct HeldRegions {
   std::vector<int> of_face;  ///< the region of each face, or -1 if it is free
   std::vector<int> first_faces, sizes;
+  int surface_faces = 0;  ///< held or not
 
   HeldRegions() = default;
   /// `held` as in RefinedCage.

@@ -11,27 +11,59 @@
 namespace umbilic {
 namespace {
 
+bool has_equations(const RefinedCage& cage) { return !cage.pins.empty() || holds_boundary(cage.boundary, cage.mesh); }
+
 AffineSubspace subspace(const RefinedCage& cage, const Coordinates& coordinates) {
   return AffineSubspace(in_coordinates(equations_of(cage).rows, coordinates), coordinates.unknowns(cage.control));
 }
 
 }  // namespace
 
-PinRows equations_of(const RefinedCage& cage) { return pin_rows(cage.pins, cage.mesh); }
+/// Appends the rows of boundaries, for x, y and z, with the values that the cage's own surface has.
+PinRows equations_of(const RefinedCage& cage) {
+  PinRows result = pin_rows(cage.pins, cage.mesh);
+  const std::vector<PointRow> boundary = boundary_rows(cage.boundary, cage.mesh);
+  if (boundary.empty()) return result;
+  const int pins = result.rows.count(), count = pins + 3 * static_cast<int>(boundary.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int row = 0; row < pins; ++row) {
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(result.rows.matrix, row); it; ++it) {
+      entries.emplace_back(row, static_cast<int>(it.col()), it.value());
+    }
+  }
+  result.rows.right.conservativeResize(count);
+  int row = pins;
+  for (const PointRow& held : boundary) {
+    for (int c = 0; c < 3; ++c, ++row) {
+      double value = 0;
+      for (std::size_t i = 0; i < held.points.size(); ++i) {
+        entries.emplace_back(row, 3 * held.points[i] + c, held.weights[i]);
+        value += held.weights[i] * cage.own(held.points[i], c);
+      }
+      result.rows.right[row] = value;
+      result.owners.push_back({-1, c, held.vertex});
+    }
+  }
+  result.rows.matrix.resize(count, 3 * cage.mesh.vertex_count());
+  result.rows.matrix.setFromTriplets(entries.begin(), entries.end());
+  result.rows.scales = Eigen::VectorXd::Ones(count);
+  return result;
+}
 
 std::string name_of(const PinRows& rows, int row) {
   constexpr std::array kNames{"x", "y", "z", "normal", "normal"};
   const PinRow& owner = rows.owners[row];
+  if (owner.pin < 0) return fmt::format("the boundary at vertex {}", owner.vertex + 1);
   return fmt::format("pin {} ({})", owner.pin + 1, kNames[owner.coordinate]);
 }
 
 std::shared_ptr<const AffineSubspace> solutions_of(const RefinedCage& cage, const Coordinates& coordinates) {
-  if (cage.pins.empty()) return nullptr;
+  if (!has_equations(cage)) return nullptr;
   return std::make_shared<const AffineSubspace>(subspace(cage, coordinates));
 }
 
 std::optional<Error> contradiction_of(const RefinedCage& cage, const Coordinates& coordinates) {
-  if (cage.pins.empty()) return std::nullopt;
+  if (!has_equations(cage)) return std::nullopt;
   const AffineSubspace solutions = subspace(cage, coordinates);
   if (solutions.contradiction().empty()) return std::nullopt;
   const PinRows rows = equations_of(cage);
@@ -71,7 +103,7 @@ Eigen::SparseMatrix<double> smoothness(const PolygonMesh& mesh) {
 }  // namespace
 
 Points moved_to_equations(const RefinedCage& cage, const Coordinates& coordinates) {
-  if (cage.pins.empty()) return cage.control;
+  if (!has_equations(cage)) return cage.control;
   const LinearRows rows = in_coordinates(equations_of(cage).rows, coordinates);
   const Eigen::VectorXd start = coordinates.unknowns(cage.control);
   if ((rows.matrix * start - rows.right).cwiseAbs().maxCoeff() <= kHolds) return cage.control;
@@ -90,7 +122,8 @@ Points moved_to_equations(const RefinedCage& cage, const Coordinates& coordinate
 }
 
 Eigen::MatrixXd free_gauge(const RefinedCage& cage, const Gauge& gauge) {
-  if (!cage.held.empty() || gauge.dimension() == 0) return Eigen::MatrixXd(cage.control.size(), 0);
+  const bool nothing = !cage.held.empty() || holds_boundary(cage.boundary, cage.mesh);
+  if (nothing || gauge.dimension() == 0) return Eigen::MatrixXd(cage.control.size(), 0);
   const Eigen::MatrixXd all = orthonormal_gauge(gauge, cage.control);
   if (cage.pins.empty()) return all;
   return subspace(cage, Coordinates(cage.mesh.vertex_count())).kept(all);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The linear equations that a run's control points fulfil, beside those that are held in place.
+/// The linear equations that a run's control points fulfil, beside those that are held in place: those of pins and of
+/// boundaries.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "driver/boundary_rows.h"
 #include "driver/pin_rows.h"
 #include "driver/surface.h"
 #include "optimize/gauge.h"
@@ -16,7 +18,7 @@ namespace umbilic {
 /// The equations over the coordinates 3 v + c of the control points.
 PinRows equations_of(const RefinedCage& cage);
 
-/// What equation `row` holds, for messages: "pin 2 (x)".
+/// What equation `row` holds, for messages: "pin 2 (x)", "the boundary at vertex 7".
 std::string name_of(const PinRows& rows, int row);
 
 /// The solutions over the unknowns of `coordinates`, nearest to the cage's control points; null without equations. The

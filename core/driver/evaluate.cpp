@@ -37,7 +37,7 @@ Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels) {
   Weights bending{};
   bending[kBending] = 1;
   const Surface surface(refine(*prepared, steps), cap, bending);
-  EvaluationReport report{surface.level(), surface.mesh().face_count(), surface.report(surface.start())};
+  EvaluationReport report{surface.level(), surface.mesh().surface_face_count(), surface.report(surface.start())};
   if (std::isnan(report.energies.functionals[kBending])) {
     return Error{"the surface shrinks to a curve or a point somewhere: it has no energies"};
   }

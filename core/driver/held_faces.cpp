@@ -50,9 +50,15 @@ Result<std::vector<bool>> selected(const Cage& cage, const FaceSelection& select
   return result;
 }
 
-/// Of each vertex: whether it is within kRings rings of a held face.
-std::vector<bool> near_held(const std::vector<bool>& held, const PolygonMesh& mesh) {
+/// Of each vertex: whether it is within kRings rings of a held face or of a face at a held boundary.
+std::vector<bool> near_held(const std::vector<bool>& held, const std::vector<BoundaryCondition>& boundary,
+                            const PolygonMesh& mesh) {
   std::vector<bool> faces = held, vertices;
+  faces.resize(mesh.face_count(), false);
+  for (std::size_t h = 0; h < boundary.size(); ++h) {
+    const int here = static_cast<int>(h);
+    if (mesh.is_boundary(here) && boundary[h] != BoundaryCondition::kFree) faces[mesh.face(here)] = true;
+  }
   for (int ring = 0; ring <= kRings; ++ring) {
     vertices.assign(mesh.vertex_count(), false);
     for (int h = 0; h < mesh.halfedge_count(); ++h) {
@@ -82,19 +88,24 @@ Result<std::vector<bool>> held_faces(const Cage& cage, const Constraints& constr
   return held;
 }
 
-HeldFaces::HeldFaces(const std::vector<bool>& held, const PolygonMesh& mesh, const Points& points)
-    : held_(held), mesh_(mesh), points_(points) {
-  if (held.empty()) return;
-  near_ = near_held(held, mesh);
+HeldFaces::HeldFaces(const std::vector<bool>& held, const std::vector<BoundaryCondition>& boundary,
+                     const PolygonMesh& mesh, const Points& points)
+    : held_(held), boundary_(boundary), mesh_(mesh), points_(points) {
+  if (held.empty() && boundary.empty()) return;
+  near_ = near_held(held, boundary, mesh);
   largest_difference_ = kSamePoint * (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
 }
 
 bool HeldFaces::kept_by(const Symmetry& symmetry, const Vector3& center) const {
-  if (held_.empty()) return true;
-  for (int f = 0; f < mesh_.face_count(); ++f) {
+  for (int h = 0; h < static_cast<int>(boundary_.size()); ++h) {
+    if (!mesh_.is_boundary(h)) continue;
+    const int image = symmetry.map.halfedges[h];
+    if (!mesh_.is_boundary(image) || boundary_[image] != boundary_[h]) return false;
+  }
+  for (int f = 0; f < static_cast<int>(held_.size()); ++f) {
     if (held_[image_of_face(mesh_, symmetry.map, f)] != held_[f]) return false;
   }
-  for (int v = 0; v < mesh_.vertex_count(); ++v) {
+  for (int v = 0; v < static_cast<int>(near_.size()); ++v) {
     if (!near_[v]) continue;
     const Vector3 image = center + symmetry.isometry * (points_.row(v).transpose() - center);
     const Vector3 there = points_.row(image_of_vertex(mesh_, symmetry.map, v));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "driver/equations.h"
@@ -123,15 +124,17 @@ void Level::start() {
 }
 
 void Level::prepare() {
+  std::function<double(const Points&)> turning;
+  if (surface_.mesh().is_open()) turning = [this](const Points& control) { return surface_.turning(control); };
   objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.expected_gaussian(),
-                                                  surface_.start(), surface_.lower_bound());
+                                                  surface_.start(), surface_.lower_bound(), std::move(turning));
   if (!start_energy_) start_energy_ = objective_->start_energy();
   if (!start_is_in_question()) prepare_metric();
 }
 
 bool Level::start_is_in_question() const {
-  return !start_.is_constrained() && !objective_->start_is_whole() && options_.max_iterations > 0 && !thicker_ &&
-         thicknesses_tried_ < kThicknessRatios.size();
+  return !start_.is_constrained() && !start_.mesh.is_open() && !objective_->start_is_whole() &&
+         options_.max_iterations > 0 && !thicker_ && thicknesses_tried_ < kThicknessRatios.size();
 }
 
 void Level::try_thicker_start() {
@@ -288,7 +291,7 @@ std::unique_ptr<Level> Level::with_thicker_start() const {
 LevelReport Level::report(const EnergyReport& energies) const {
   LevelReport report;
   report.level = number();
-  report.patches = surface_.mesh().face_count();
+  report.patches = surface_.mesh().surface_face_count();
   report.unknowns = unknowns_.count();
   report.energy_reported = surface_.objective(energies);
   report.energy = evaluated() ? lbfgs_->best_value() : surface_.energy().evaluate(surface_.start(), nullptr).energy;

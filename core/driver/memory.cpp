@@ -29,8 +29,8 @@ double run_bytes(double faces, double patches, MetricChoice metric) {
 }
 
 double limit_mesh_bytes(const PolygonMesh& mesh, int density) {
-  const double inner = density - 1., quads = static_cast<double>(density) * density * mesh.face_count();
-  const double vertices = mesh.vertex_count() + mesh.edge_count() * inner + mesh.face_count() * inner * inner;
+  const double inner = density - 1., quads = static_cast<double>(density) * density * mesh.surface_face_count();
+  const double vertices = mesh.vertex_count() + mesh.edge_count() * inner + mesh.surface_face_count() * inner * inner;
   return 68 * vertices + 16 * quads;
 }
 

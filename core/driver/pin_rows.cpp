@@ -130,7 +130,8 @@ PinRows pin_rows(const std::vector<HeldPoint>& held, const PolygonMesh& mesh) {
   std::vector<double> right;
   const std::vector<LimitStencil> stencils = stencils_of(held, mesh);
   for (std::size_t i = 0; i < held.size(); ++i) {
-    const auto& [points, weights] = stencils[i];
+    const std::vector<int>& points = stencils[i].points;
+    const auto& weights = stencils[i].weights;
     const auto add = [&](int coordinate, int derivative, double scale, const Vector3& direction, double value) {
       const int row = static_cast<int>(right.size());
       for (std::size_t k = 0; k < points.size(); ++k) {
@@ -169,8 +170,8 @@ LinearRows in_coordinates(const LinearRows& rows, const Coordinates& coordinates
 Vector3 pull(const PinRows& rows, const Eigen::VectorXd& multipliers, int pin) {
   Vector3 sum = Vector3::Zero();
   for (std::size_t row = 0; row < rows.owners.size(); ++row) {
-    const auto& [owner, coordinate] = rows.owners[row];
-    if (owner == pin && coordinate < 3) sum[coordinate] += multipliers[static_cast<Eigen::Index>(row)];
+    const PinRow& owner = rows.owners[row];
+    if (owner.pin == pin && owner.coordinate < 3) sum[owner.coordinate] += multipliers[static_cast<Eigen::Index>(row)];
   }
   return sum;
 }

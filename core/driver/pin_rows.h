@@ -34,8 +34,9 @@ std::vector<HeldPoint> refined(std::vector<HeldPoint> held, const PolygonMesh& m
 
 /// What an equation holds of which point.
 struct PinRow {
-  int pin;
-  int coordinate;  ///< 0 to 2: of the position; 3, 4: n . X_u, n . X_v
+  int pin;          ///< -1 if it is that of a boundary
+  int coordinate;   ///< 0 to 2: of the position; 3, 4: n . X_u, n . X_v
+  int vertex = -1;  ///< of the boundary
 };
 
 /// Equations over the coordinates 3 v + c of the control points.

@@ -89,7 +89,7 @@ struct Run::State {
   /// Of the surface as it is written.
   const EnergyReport& written_energies() const {
     const EnergyReport& exact = report_energies();
-    if (level->surface().placement().is_centred()) return exact;
+    if (level->surface().placement().is_centred() || level->surface().mesh().is_open()) return exact;
     if (!written) {
       const Result<EvaluationReport> evaluation = evaluate(control_mesh(), options.cap, 0);
       written = evaluation ? evaluation->energies : exact;
@@ -180,6 +180,7 @@ double own_area(const RefinedCage& cage, int required, CapKind cap) {
   own.control = own.own;
   own.held.clear();
   own.pins.clear();
+  own.boundary.clear();
   const RefinedCage refined = refine(std::move(own), required);
   const PatchLayout layout(refined.mesh, cap, face_orbits(refined.mesh, refined.symmetry));
   return surface_integrals(JetEvaluator(layout, reporting_rule(cap)), refined.control).area;
@@ -254,7 +255,7 @@ void Run::cancel() {
 }
 
 const Progress& Run::progress() const { return state_->progress; }
-int Run::patches() const { return state_->level->surface().mesh().face_count(); }
+int Run::patches() const { return state_->level->surface().mesh().surface_face_count(); }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
 const LevelReport& Run::result() const { return state_->levels[state_->result]; }
 const EnergyReport& Run::energies() const { return state_->written_energies(); }
@@ -289,7 +290,7 @@ Cage Run::control_mesh() const { return state_->control_mesh(); }
 
 std::vector<int> Run::cage_faces() const {
   const RefinedCage cage = state_->level->best_cage();
-  return state_->cage_faces(cage.level, cage.mesh.face_count());
+  return state_->cage_faces(cage.level, cage.mesh.surface_face_count());
 }
 
 Points Run::orbit_points() const {
@@ -306,7 +307,7 @@ Result<LimitMesh> Run::limit_mesh(int density) const {
   LimitMesh mesh =
       tessellate(surface.mesh(), surface.symmetry(), surface.whole_layout(), state_->level->best(), density);
   put_back(mesh, surface.placement());
-  mesh.cage_faces = state_->cage_faces(surface.level(), surface.mesh().face_count());
+  mesh.cage_faces = state_->cage_faces(surface.level(), surface.mesh().surface_face_count());
   return mesh;
 }
 

@@ -18,24 +18,44 @@
 #include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
 #include "mesh/subgroup.h"
+#include "surface/boundary_turning.h"
 
 namespace umbilic {
 
 double faces_after(const PolygonMesh& cage, int steps) {
-  return steps == 0 ? cage.face_count() : cage.halfedge_count() * std::pow(4.0, steps - 1);
+  return steps == 0 ? cage.surface_face_count() : cage.surface_halfedge_count() * std::pow(4.0, steps - 1);
 }
 
-std::optional<Error> refuse_open(const Cage& cage) {
-  if (cage.open.empty()) return std::nullopt;
-  return Error{cage.open};
+namespace {
+
+/// Of each face of the mesh, from what is known of each face of the cage.
+std::vector<bool> on_mesh(const std::vector<bool>& of_cage, const Cage& cage, const PolygonMesh& mesh) {
+  if (of_cage.empty() || !mesh.is_open()) return of_cage;
+  std::vector<bool> of_mesh;
+  for (std::size_t f = 0, hole = 0; f < of_cage.size(); ++f) {
+    const bool is_hole = hole < cage.holes.size() && cage.holes[hole] == static_cast<int>(f);
+    if (is_hole) ++hole;
+    if (!is_hole) of_mesh.push_back(of_cage[f]);
+  }
+  of_mesh.resize(mesh.face_count(), false);
+  return of_mesh;
 }
+
+/// Of each quad of `finer`, from what is known of each face of the mesh.
+std::vector<bool> on_quads(const std::vector<bool>& of_faces, const PolygonMesh& mesh, const PolygonMesh& finer) {
+  std::vector<bool> of_quads(finer.face_count(), false);
+  for (int h = 0; h < mesh.surface_halfedge_count(); ++h) of_quads[h] = of_faces[mesh.face(h)];
+  return of_quads;
+}
+
+}  // namespace
 
 Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints) {
-  if (auto error = refuse_open(cage)) return *error;
   Result<std::vector<bool>> held = held_faces(cage, constraints);
   if (!held) return held.error();
   const Placement placement = placement_of(cage.vertices);
-  RefinedCage result{0, PolygonMesh(cage), placement.to_unit(cage.vertices), {}, placement, std::move(held).value()};
+  RefinedCage result{0, PolygonMesh(cage), placement.to_unit(cage.vertices), {}, placement};
+  result.held = on_mesh(*held, cage, result.mesh);
   const PolygonMesh& mesh = result.mesh;
   const Result<int> required = required_level(mesh);
   if (!required) return required.error();
@@ -49,10 +69,13 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, co
     Result<std::vector<HeldPoint>> pins = hold(constraints.pins, result);
     if (!pins) return pins.error();
     result.pins = std::move(pins).value();
-    if (!result.held.empty() || !result.pins.empty()) result.own = result.control;
   }
+  auto boundary = boundary_conditions(constraints.boundary.value_or(BoundaryConditions()), mesh);
+  if (!boundary) return boundary.error();
+  result.boundary = std::move(boundary).value();
+  if (!result.held.empty() || !result.pins.empty() || !result.boundary.empty()) result.own = result.control;
   if (result.is_constrained()) {
-    const HeldFaces held_part(result.held, mesh, result.own);
+    const HeldFaces held_part(result.held, result.boundary, mesh, result.own);
     const Vector3 center = result.symmetry.center;
     result.symmetry = subgroup(result.symmetry, mesh, [&](const Symmetry& element) {
       return held_part.kept_by(element, center) && keeps(element, center, result.pins, mesh);
@@ -66,15 +89,15 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, co
 RefinedCage refine(RefinedCage cage, int steps) {
   for (; steps > 0; --steps) {
     Refinement finer = catmull_clark(cage.mesh);
-    cage.symmetry = refined(cage.symmetry, cage.mesh);
+    cage.symmetry =
+        finer.mesh.is_open() ? refined(cage.symmetry, cage.mesh, finer.mesh) : refined(cage.symmetry, cage.mesh);
     cage.control = (finer.stencil * cage.control).eval();
     if (cage.is_constrained()) cage.own = (finer.stencil * cage.own).eval();
     if (!cage.held.empty()) {
-      std::vector<bool> held(cage.mesh.halfedge_count());
-      for (int h = 0; h < cage.mesh.halfedge_count(); ++h) held[h] = cage.held[cage.mesh.face(h)];
-      cage.held = std::move(held);
+      cage.held = on_quads(cage.held, cage.mesh, finer.mesh);
     }
     cage.pins = refined(std::move(cage.pins), cage.mesh);
+    cage.boundary = refined(cage.boundary, cage.mesh, finer.mesh);
     cage.mesh = std::move(finer.mesh);
     ++cage.level;
   }
@@ -88,11 +111,25 @@ HeldPoints held_points(const RefinedCage& cage, CapKind cap) {
 }
 
 Cage to_cage(const PolygonMesh& mesh, Points control) {
-  Cage cage{std::move(control), std::vector<std::vector<int>>(mesh.face_count()), {}, {}};
-  for (int f = 0; f < mesh.face_count(); ++f) {
+  Cage cage;
+  cage.faces.resize(mesh.surface_face_count());
+  for (int f = 0; f < mesh.surface_face_count(); ++f) {
     cage.faces[f].reserve(mesh.face_size(f));
     for (int i = 0; i < mesh.face_size(f); ++i) cage.faces[f].push_back(mesh.origin(mesh.halfedge(f, i)));
   }
+  if (mesh.is_open()) {
+    std::vector<int> number(mesh.vertex_count(), -1), kept;
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      if (!mesh.on_surface(v)) continue;
+      number[v] = static_cast<int>(kept.size());
+      kept.push_back(v);
+    }
+    for (std::vector<int>& face : cage.faces) {
+      for (int& v : face) v = number[v];
+    }
+    control = control(kept, Eigen::all).eval();
+  }
+  cage.vertices = std::move(control);
   return cage;
 }
 
@@ -108,7 +145,7 @@ bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Erro
   const auto third = std::find_if(weights.begin() + kMvs, weights.end(), [](double w) { return w != 0; });
   if (third == weights.end()) return false;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (!mesh.is_extraordinary(v)) continue;
+    if (!mesh.on_surface(v) || !mesh.is_extraordinary(v)) continue;
     error.message = fmt::format("{} diverges at extraordinary vertices (valence {}) with cap none; use smooth or flat",
                                 kFunctionalNames[third - weights.begin()], mesh.valence(v));
     return true;
@@ -150,6 +187,10 @@ SurfaceIntegrals Surface::whole_integrals(const Points& control) const {
   return surface_integrals(*whole_reporting_jets_, control);
 }
 
+double Surface::turning(const Points& control) const {
+  return boundary_turning(mesh(), whole_layout(), whole_layout().extend(control));
+}
+
 double Surface::expected_gaussian() const {
   const double whole = 2 * std::numbers::pi * mesh().euler_characteristic();
   if (!whole_) return whole;
@@ -163,7 +204,7 @@ EnergyReport Surface::report(const Points& control) const {
   report.functionals = whole.functionals;
   report.area = in_own_units(whole.area);
   report.gaussian = whole.gaussian;
-  if (whole_) {
+  if (whole_ || fixed_area_) {
     report.free.emplace();
     report.free->functionals = free.functionals;
     report.free->area = in_own_units(free.area);
@@ -172,7 +213,9 @@ EnergyReport Surface::report(const Points& control) const {
       report.free->area_factor = in_own_units(*fixed_area_);
     }
   }
-  const double defect = gauss_bonnet_defect(report.gaussian, mesh().euler_characteristic());
+  if (mesh().is_open()) report.boundary_turning = turning(control);
+  const double defect =
+      gauss_bonnet_defect(report.gaussian + report.boundary_turning.value_or(0), mesh().euler_characteristic());
   report.resolved = defect <= kLargestDefect;
   if (layout_.cap() == CapKind::kNone && !layout_.caps().empty()) {
     for (int i = 0; i < kFunctionalCount; ++i) {
@@ -189,9 +232,9 @@ EnergyReport Surface::report(const Points& control) const {
   Weights willmore_alone{};
   willmore_alone[kWillmore] = 1;
   report.below_bound = below(lower_bound(), objective(report), report.quadrature_error) ||
-                       below(umbilic::lower_bound(willmore_alone, genera_), willmore, error);
-  report.embedded =
-      genera_.size() == 1 && report.resolved && !report.below_bound && willmore + error < kEmbeddedWillmore;
+                       below(bound_of(willmore_alone), willmore, error);
+  report.embedded = genera_.size() == 1 && !mesh().is_open() && report.resolved && !report.below_bound &&
+                    willmore + error < kEmbeddedWillmore;
   return report;
 }
 

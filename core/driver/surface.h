@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cage/placement.h"
+#include "driver/boundary_rows.h"
 #include "driver/held_point.h"
 #include "driver/rules.h"
 #include "energy/lower_bounds.h"
@@ -29,7 +30,10 @@ struct RefinedCage {
   Placement placement{};     ///< from unit coordinates back to the cage's own
   std::vector<bool> held{};  ///< of each face: whether the surface over it stays; empty if all are free
   std::vector<HeldPoint> pins{};
-  /// Where something is held: the control points of the cage's own surface, its pure subdivision; else empty.
+  std::vector<BoundaryCondition>
+      boundary{};  ///< at each half-edge of the surface, see boundary_rows.h; empty if closed
+  /// Where something is held, or there is a boundary: the control points of the cage's own surface, its pure
+  /// subdivision; else empty.
   Points own{};
 
   bool is_constrained() const { return own.size() > 0; }
@@ -40,12 +44,9 @@ inline constexpr int kMaxFaces = 2'000'000;
 /// Of a cage after so many Catmull-Clark steps; a double, which does not overflow.
 double faces_after(const PolygonMesh& cage, int steps);
 
-/// Refuses open cages, as long as meshes must be closed. Empty for a closed cage.
-std::optional<Error> refuse_open(const Cage& cage);
-
 /// The cage at level 0 with its symmetry group (C1 unless `symmetric`); its points are made exactly symmetric, except
 /// those that held faces depend on. Of the symmetry, that part is left which keeps what is held. Fails as
-/// `refuse_open`, `required_level` and `held_faces`, and if the mesh after `last_level` steps would have more than
+/// `required_level` and `held_faces`, and if the mesh after `last_level` steps would have more than
 /// kMaxFaces faces.
 Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints = {});
 /// The cage after `steps` further Catmull-Clark steps.
@@ -53,7 +54,9 @@ RefinedCage refine(RefinedCage cage, int steps);
 /// The control points that the surface over held faces depends on, which stay where the cage's own surface has them.
 /// The mesh must be evaluable if faces are held.
 HeldPoints held_points(const RefinedCage& cage, CapKind cap);
-/// The polygons of a mesh, with corners in the order of its half-edges.
+/// The polygons of a mesh's surface, with corners in the order of its half-edges. Of an open surface that has been
+/// optimized, this is not all: its ghosts are unknowns of their own, and a cage without them evaluates as the surface
+/// with the standard ones (mesh/ghosts.h). A SurfaceState has them.
 Cage to_cage(const PolygonMesh& mesh, Points control);
 
 /// `cage` after `level` Catmull-Clark steps, or after as many as it needs to be evaluable. Fails as `prepare`.
@@ -88,8 +91,11 @@ class Surface {
   /// Of each component.
   const std::vector<int>& genera() const { return genera_; }
   /// Of the weighted functional, see energy/lower_bounds.h; 0 where that is not the whole surface's.
-  double lower_bound() const { return holds_faces() ? 0 : umbilic::lower_bound(weights_, genera_); }
-  /// What the integral of the Gaussian curvature over the free faces is, by Gauss & Bonnet's theorem.
+  double lower_bound() const { return holds_faces() ? 0 : bound_of(weights_); }
+  /// How much the boundary turns (surface/boundary_turning.h); 0 if there is none.
+  double turning(const Points& control) const;
+  /// What the integral of the Gaussian curvature over the free faces and the turning of the boundary sum to, by Gauss &
+  /// Bonnet's theorem.
   double expected_gaussian() const;
 
   /// All energies by the reporting rule, the area in the cage's own units; the quadrature error is that of the weighted
@@ -100,6 +106,9 @@ class Surface {
 
  private:
   double in_own_units(double area) const { return std::ldexp(area, 2 * placement().exponent); }
+  double bound_of(const Weights& weights) const {
+    return mesh().is_open() ? 0 : umbilic::lower_bound(weights, genera_);
+  }
   double willmore_by_minimizing_rule(const Points& control, const EnergyValue& value) const;
   /// Integrals by the reporting rule.
   SurfaceIntegrals whole_integrals(const Points& control) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "driver/contradiction.h"
 #include "driver/gauss_bonnet.h"
@@ -23,20 +24,25 @@ constexpr double kDefectSlack = 2;
 }  // namespace
 
 SurfaceObjective::SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, double gaussian,
-                                   const Points& start, double lower_bound)
-    : energy_(energy), unknowns_(unknowns), gaussian_(gaussian) {
+                                   const Points& start, double lower_bound,
+                                   std::function<double(const Points&)> turning)
+    : energy_(energy), unknowns_(unknowns), gaussian_(gaussian), turning_(std::move(turning)) {
   const EnergyValue value = energy.evaluate(start, nullptr);
-  const double defect = std::abs(value.gaussian - gaussian);
+  const double start_defect = defect(value, start);
   start_energy_ = value.energy;
   least_energy_ = std::min((1 - kMostAllowed) * lower_bound, start_energy_);
-  start_is_whole_ = defect <= kLargestDefect;
-  largest_defect_ = std::max(kLargestDefect, kDefectSlack * defect);
+  start_is_whole_ = start_defect <= kLargestDefect;
+  largest_defect_ = std::max(kLargestDefect, kDefectSlack * start_defect);
+}
+
+double SurfaceObjective::defect(const EnergyValue& value, const Points& control) const {
+  return std::abs(value.gaussian + (turning_ ? turning_(control) : 0) - gaussian_);
 }
 
 void SurfaceObjective::evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const {
   unknowns_.control(unknowns, control_);
   const EnergyValue value = energy_.evaluate(control_, &gradient_);
-  last_defect_ = std::abs(value.gaussian - gaussian_);
+  last_defect_ = defect(value, control_);
   const bool credible = last_defect_ <= largest_defect_ && value.energy >= least_energy_;
   result.value = credible ? value.energy : std::numeric_limits<double>::infinity();
   unknowns_.pull_back(gradient_, result.gradient);

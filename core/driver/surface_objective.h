@@ -3,6 +3,8 @@
 /// The energy of a surface as a function of the optimizer's unknowns: its control points, or those of a coarser mesh.
 #pragma once
 
+#include <functional>
+
 #include "energy/surface_energy.h"
 #include "optimize/unknowns.h"
 #include "solve/objective.h"
@@ -17,8 +19,9 @@ class SurfaceObjective : public Objective {
  public:
   /// `energy` and `unknowns` must outlive the objective; `gaussian` is what the integral of the Gaussian curvature must
   /// be. At the start the value is finite whenever the energy is.
+  /// Of an open surface it is less by what `turning` says for the control points.
   SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, double gaussian, const Points& start,
-                   double lower_bound = 0);
+                   double lower_bound = 0, std::function<double(const Points&)> turning = {});
 
   void evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const override;
 
@@ -30,9 +33,12 @@ class SurfaceObjective : public Objective {
   bool start_is_whole() const { return start_is_whole_; }
 
  private:
+  double defect(const EnergyValue& value, const Points& control) const;
+
   const SurfaceEnergy& energy_;
   const Unknowns& unknowns_;
   double gaussian_;
+  std::function<double(const Points&)> turning_;
   double start_energy_, least_energy_;
   bool start_is_whole_;
   mutable double largest_defect_, last_defect_ = 0;

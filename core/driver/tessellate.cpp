@@ -4,6 +4,7 @@
 /// vertices.
 #include "driver/tessellate.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -24,11 +25,14 @@ constexpr double kNearby = 1.0 / 256;
 /// Numbers the vertices of all grids so that neighbouring patches share theirs.
 class GridNames {
  public:
-  GridNames(const PolygonMesh& mesh, int density) : mesh_(mesh), density_(density) {}
+  GridNames(const PolygonMesh& mesh, int density)
+      : mesh_(mesh), density_(density), vertices_(mesh.vertex_count()), edges_(mesh.edge_count()) {
+    if (mesh.is_open()) number_surface();
+  }
 
   int count() const {
     const int inner = density_ - 1;
-    return mesh_.vertex_count() + mesh_.edge_count() * inner + mesh_.face_count() * inner * inner;
+    return vertices_ + edges_ * inner + mesh_.surface_face_count() * inner * inner;
   }
 
   /// Grid point (i, j) of the patch whose half-edge along u is `h`.
@@ -39,19 +43,36 @@ class GridNames {
     if (j == d) return on_edge(mesh_.next(mesh_.next(h)), d - i);
     if (i == 0) return on_edge(mesh_.previous(h), d - j);
     const int inner = d - 1;
-    return mesh_.vertex_count() + mesh_.edge_count() * inner + (mesh_.face(h) * inner + j - 1) * inner + i - 1;
+    return vertices_ + edges_ * inner + (mesh_.face(h) * inner + j - 1) * inner + i - 1;
   }
 
  private:
+  /// Leaves out the vertices and edges without surface.
+  void number_surface() {
+    vertices_ = edges_ = 0;
+    of_vertex_.assign(mesh_.vertex_count(), -1);
+    of_edge_.assign(mesh_.edge_count(), -1);
+    for (int v = 0; v < mesh_.vertex_count(); ++v) {
+      if (mesh_.on_surface(v)) of_vertex_[v] = vertices_++;
+    }
+    for (int h = 0; h < mesh_.surface_halfedge_count(); ++h) {
+      int& number = of_edge_[mesh_.edge(h)];
+      if (number < 0) number = edges_++;
+    }
+  }
+  int of_vertex(int v) const { return of_vertex_.empty() ? v : of_vertex_[v]; }
   int on_edge(int h, int i) const {
-    if (i == 0) return mesh_.origin(h);
-    if (i == density_) return mesh_.target(h);
+    if (i == 0) return of_vertex(mesh_.origin(h));
+    if (i == density_) return of_vertex(mesh_.target(h));
     const int along = h < mesh_.twin(h) ? i : density_ - i;
-    return mesh_.vertex_count() + mesh_.edge(h) * (density_ - 1) + along - 1;
+    const int edge = of_edge_.empty() ? mesh_.edge(h) : of_edge_[mesh_.edge(h)];
+    return vertices_ + edge * (density_ - 1) + along - 1;
   }
 
   const PolygonMesh& mesh_;
   int density_;
+  int vertices_, edges_;                  // on the surface
+  std::vector<int> of_vertex_, of_edge_;  // their numbers; empty if all are on it
 };
 
 std::vector<Sample> grid(const PatchKind& kind, int density) {
@@ -138,7 +159,7 @@ class Tessellation {
     mesh_sums_.positions = Points::Zero(names_.count(), 3);
     mesh_sums_.normals = Points::Zero(names_.count(), 3);
     mesh_sums_.curvatures = decltype(mesh_sums_.curvatures)::Zero(names_.count(), 2);
-    mesh_sums_.quads.resize(static_cast<std::size_t>(mesh.face_count()) * density * density);
+    mesh_sums_.quads.resize(static_cast<std::size_t>(mesh.surface_face_count()) * density * density);
     visits_.assign(names_.count(), 0);
   }
 
@@ -147,6 +168,9 @@ class Tessellation {
     find_images(mesh_, group_, halfedge, reached_, images_);
     for (const Image& image : images_) {
       const Vector3 offset = group_.center - image.isometry * group_.center;
+      // A symmetry of an open surface may exchange its sides.
+      const bool turned_over = (image.isometry.determinant() < 0) != image.swapped;
+      const double side = turned_over ? -1 : 1;
       auto* quad = &mesh_sums_.quads[static_cast<std::size_t>(mesh_.face(image.halfedge)) * density_ * density_];
       for (int j = 0, s = 0; j <= density_; ++j) {
         for (int i = 0; i <= density_; ++i, ++s) {
@@ -154,8 +178,10 @@ class Tessellation {
           const int v = names_.vertex(h, a, b);
           ++visits_[v];
           mesh_sums_.positions.row(v) += (offset + image.isometry * points[s].position).transpose();
-          mesh_sums_.normals.row(v) += (image.isometry * points[s].normal).transpose();
-          mesh_sums_.curvatures.row(v) += Eigen::RowVector2d(points[s].kappa1, points[s].kappa2);
+          mesh_sums_.normals.row(v) += side * (image.isometry * points[s].normal).transpose();
+          const double kappa1 = points[s].kappa1, kappa2 = points[s].kappa2;
+          mesh_sums_.curvatures.row(v) +=
+              turned_over ? Eigen::RowVector2d(-kappa2, -kappa1) : Eigen::RowVector2d(kappa1, kappa2);
           if (i < density_ && j < density_) {
             *quad++ = {v, names_.vertex(h, a + 1, b), names_.vertex(h, a + 1, b + 1), names_.vertex(h, a, b + 1)};
           }

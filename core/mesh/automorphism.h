@@ -31,7 +31,9 @@ inline int image_of_face(const PolygonMesh& mesh, const Automorphism& map, int f
 /// The image of each vertex.
 std::vector<int> vertex_images(const PolygonMesh& mesh, const Automorphism& map);
 
-/// The same automorphism on catmull_clark(mesh).mesh.
+/// The same automorphism on catmull_clark(mesh).mesh, for a closed surface.
 Automorphism refined(const Automorphism& map, const PolygonMesh& mesh);
+/// The same for any surface; `finer` is catmull_clark(mesh).mesh.
+Automorphism refined(const Automorphism& map, const PolygonMesh& mesh, const PolygonMesh& finer);
 
 }  // namespace umbilic

@@ -107,7 +107,8 @@ bool FlagMatching::agree(int h, Flag image, const Matrix3d* isometry, double tol
   const int t = image.halfedge;
   const int v = mesh_.origin(h), w = image.reversed ? mesh_.target(t) : mesh_.origin(t);
   if (mesh_.valence(v) != mesh_.valence(w)) return false;
-  if (mesh_.face_size(mesh_.face(h)) != mesh_.face_size(mesh_.face(t))) return false;
+  const int f = mesh_.face(h), g = mesh_.face(t);
+  if (mesh_.face_size(f) != mesh_.face_size(g) || mesh_.role(f) != mesh_.role(g)) return false;
   if (isometry) return (*isometry * point(v) - point(w)).squaredNorm() <= tolerance * tolerance;
   return std::abs(radius_[v] - radius_[w]) <= tolerance && std::abs(length_[h] - length_[t]) <= tolerance;
 }

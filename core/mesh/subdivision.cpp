@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "mesh/open_subdivision.h"
+
 namespace umbilic {
 namespace {
 
@@ -18,6 +20,7 @@ void add_face_point(const PolygonMesh& mesh, int f, double weight, int row,
 }  // namespace
 
 PolygonMesh catmull_clark_mesh(const PolygonMesh& mesh) {
+  if (mesh.is_open()) return open_catmull_clark_mesh(mesh);
   const int vertices = mesh.vertex_count(), edges = mesh.edge_count(), faces = mesh.face_count();
   std::vector<std::array<int, 4>> quads(mesh.halfedge_count());
   for (int h = 0; h < mesh.halfedge_count(); ++h) {
@@ -28,6 +31,7 @@ PolygonMesh catmull_clark_mesh(const PolygonMesh& mesh) {
 }
 
 Refinement catmull_clark(const PolygonMesh& mesh) {
+  if (mesh.is_open()) return open_catmull_clark(mesh);
   const int vertices = mesh.vertex_count(), edges = mesh.edge_count(), faces = mesh.face_count();
   std::vector<Eigen::Triplet<double>> entries;
   for (int h = 0; h < mesh.halfedge_count(); ++h) {

@@ -8,6 +8,7 @@
 #include "mesh/coordinates.h"
 #include "mesh/exact_group.h"
 #include "mesh/schoenflies.h"
+#include "mesh/subdivision.h"
 
 namespace umbilic {
 namespace {
@@ -109,8 +110,15 @@ SymmetryGroup find_symmetry(const PolygonMesh& mesh, const Points& points) {
 }
 
 SymmetryGroup refined(const SymmetryGroup& group, const PolygonMesh& mesh) {
+  if (mesh.is_open() && !group.generators.empty()) return refined(group, mesh, catmull_clark_mesh(mesh));
   SymmetryGroup result = group;
   for (Symmetry& generator : result.generators) generator.map = refined(generator.map, mesh);
+  return result;
+}
+
+SymmetryGroup refined(const SymmetryGroup& group, const PolygonMesh& mesh, const PolygonMesh& finer) {
+  SymmetryGroup result = group;
+  for (Symmetry& generator : result.generators) generator.map = refined(generator.map, mesh, finer);
   return result;
 }
 

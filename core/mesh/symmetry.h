@@ -41,6 +41,7 @@ struct SymmetryGroup {
 };
 
 /// All isometries that map `mesh` with its `points` to itself, within kSymmetryTolerance. They may exchange components.
+/// They keep the roles of faces: surface, ghost, outer.
 /// If noise admits isometries that do not form a group, the result is a subgroup.
 ///
 /// The result is C1 for cages with no well-defined finite group: each component lies on a line through the centroid, or
@@ -53,6 +54,8 @@ SymmetryGroup find_symmetry(const PolygonMesh& mesh, const Points& points);
 
 /// The same group acting on catmull_clark(mesh).mesh.
 SymmetryGroup refined(const SymmetryGroup& group, const PolygonMesh& mesh);
+/// The same where that mesh is known already: `finer`.
+SymmetryGroup refined(const SymmetryGroup& group, const PolygonMesh& mesh, const PolygonMesh& finer);
 
 Orbits face_orbits(const PolygonMesh& mesh, const SymmetryGroup& group);
 

@@ -88,7 +88,7 @@ void PatchAssembly::build_eliminations() {
     const int count = coefficient_count(cap.shape);
     if (count == 0) continue;
     Elimination& here = eliminations_.back();
-    const CapSector& sector = cap_sector(cap.valence, cap.shape);
+    const CapSector& sector = sector_of(cap);
     for (const int vertex : cap.net) {
       if (vertex < 0) continue;
       const Coordinates::Block& block = blocks_[vertex];
@@ -138,7 +138,7 @@ void PatchAssembly::build_pattern() {
   }
   for (const Cap& cap : layout_.caps()) {
     std::vector<int> fitted;
-    for (const int i : cap_sector(cap.valence, cap.shape).fit_support()) fitted.push_back(cap.net[i]);
+    for (const int i : sector_of(cap).fit_support()) fitted.push_back(cap.net[i]);
     const std::vector<int> deciding = orbits_at(fitted.data(), fitted.size());
     if (deciding.empty()) continue;
     const std::vector<int> all = orbits_at(cap.net.data(), cap.net.size());
@@ -265,8 +265,8 @@ void PatchAssembly::add_coefficients(int set, int patch, const Block& block, Pat
   PatchSums::CapSums& waiting = sums.caps[patches.caps[patch]];
   const int count = coefficient_count(cap.shape), net = net_count(patches);
   const int sector = (points[net] - cap.first_coefficient) / count;
-  const Eigen::MatrixXd turn = patches.multiplicities[patch] * cap_sector(cap.valence, cap.shape).turn(sector);
-  const Eigen::MatrixXd turn_back = cap_sector(cap.valence, cap.shape).turn(sector).transpose();
+  const Eigen::MatrixXd turn = patches.multiplicities[patch] * sector_of(cap).turn(sector);
+  const Eigen::MatrixXd turn_back = sector_of(cap).turn(sector).transpose();
   Eigen::MatrixXd part(count, count), mixed(count, net);
   for (int c = 0; c < coordinates(); ++c) {
     for (int e = 0; e < coordinates(); ++e) {

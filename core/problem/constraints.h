@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "problem/boundary_condition.h"
 #include "problem/members.h"
 #include "problem/pin.h"
 
@@ -35,6 +36,8 @@ struct Constraints {
   std::optional<FaceSelection> free{};  ///< the faces that are not; all others are held
   std::vector<Pin> pins{};              ///< points and normals that are held
 
+  std::optional<BoundaryConditions> boundary{};  ///< of open surfaces; tangent everywhere unless given
+
   bool holds_faces() const { return hold || free; }
   bool any() const { return holds_faces() || !pins.empty(); }
 
@@ -43,6 +46,7 @@ struct Constraints {
     visit("hold", self.hold, "Faces whose surface stays as it is in the cage");
     visit("free", self.free, "The only faces whose surface may move; not together with hold");
     if (!std::is_const_v<Self> || !self.pins.empty()) visit("pins", self.pins, "Points and normals that are held");
+    visit("boundary", self.boundary, "What is held at the boundaries of an open surface; the tangents unless given");
   }
 };
 

@@ -59,7 +59,10 @@ struct EnergyReport {
   /// driver/input_rounding.h.
   std::optional<FunctionalValues> input_rounding{};
   std::optional<FreeEnergies> free{};  ///< if faces are held
-  bool resolved = true;                ///< whether `gaussian` is that of a closed surface, see driver/gauss_bonnet.h
+  /// Where the surface is open: how much its boundary turns (surface/boundary_turning.h).
+  std::optional<double> boundary_turning{};
+  /// Whether `gaussian` and `boundary_turning` sum to what the topology makes them, see driver/gauss_bonnet.h.
+  bool resolved = true;
   /// Whether an energy is below what any closed surface of the genus has, see driver/contradiction.h.
   bool below_bound = false;
   /// Whether the surface is proved to be embedded: connected, and with its error below Li & Yau's 8 pi of `willmore`.
@@ -77,7 +80,9 @@ struct EnergyReport {
     visit("gaussian", self.gaussian, "Integral of the Gaussian curvature");
     visit("quadrature_error", self.quadrature_error, "By how much the reporting and the minimizing rule differ");
     visit("free", self.free, "What is minimized where faces are held: the energies of those that are free");
-    visit("resolved", self.resolved, "Whether the Gaussian curvature is that of a closed surface");
+    visit("boundary_turning", self.boundary_turning,
+          "How much the boundary of an open surface turns, with its corners");
+    visit("resolved", self.resolved, "Whether the Gaussian curvature is what the topology makes it");
     visit("below_bound", self.below_bound, "Whether an energy is below what any closed surface of the genus has");
     visit("embedded", self.embedded, "Whether the Willmore energy proves that the surface does not touch itself");
     visit("input_rounding", self.input_rounding, "Relative changes by the rounding of a cage far from the origin");

@@ -9,7 +9,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
-#include <utility>
+#include <tuple>
 
 #include "surface/blend.h"
 #include "surface/quadrature.h"
@@ -33,7 +33,8 @@ int monomial(int k, int l) { return k * (k + 1) / 2 + l; }
 
 }  // namespace
 
-CapSector::CapSector(int valence, CapShape shape) : net_(valence, std::max(2, rings(shape))), shape_(shape) {
+CapSector::CapSector(int valence, CapShape shape, int fitted)
+    : net_(valence, std::max(2, rings(shape))), shape_(shape) {
   if (coefficient_count(shape) == 0) return;
   const Eigen::Matrix<double, Eigen::Dynamic, 2> characteristic = net_.characteristic_net();
   characteristic_.resize(cell_count(shape));
@@ -45,7 +46,7 @@ CapSector::CapSector(int valence, CapShape shape) : net_(valence, std::max(2, ri
     }
   }
   build_turns();
-  build_fit();
+  build_fit(fitted);
 }
 
 Derivatives CapSector::blend(int cell, double u, double v) const {
@@ -123,16 +124,17 @@ namespace {
 struct NormalEquations {
   Eigen::MatrixXd gram, moments;
 
-  /// Replaces the contribution of sector 0 by the sum over all sectors, each of which is sector 0's turned.
-  void turn(const std::vector<Eigen::MatrixXd>& turns) {
+  /// Replaces the contribution of sector 0 by the sum over the first `fitted` sectors, each of which is sector 0's
+  /// turned.
+  void turn(const std::vector<Eigen::MatrixXd>& turns, int fitted) {
     const NormalEquations here = *this;
     const Eigen::Index ring = moments.cols() - 1, per_sector = ring / static_cast<Eigen::Index>(turns.size());
     gram.setZero();
     moments.setZero();
-    for (std::size_t sector = 0; sector < turns.size(); ++sector) {
+    for (int sector = 0; sector < fitted; ++sector) {
       gram += turns[sector].transpose() * here.gram * turns[sector];
       const Eigen::MatrixXd turned = turns[sector].transpose() * here.moments;
-      const Eigen::Index shift = per_sector * static_cast<Eigen::Index>(sector);
+      const Eigen::Index shift = per_sector * sector;
       moments.col(0) += turned.col(0);
       moments.rightCols(ring - shift) += turned.middleCols(1, ring - shift);
       moments.middleCols(1, shift) += turned.rightCols(shift);
@@ -144,7 +146,7 @@ struct NormalEquations {
 
 /// Solves the normal equations twice. The Cholesky factor of the first solve makes the polynomials orthonormal for the
 /// second, which makes the result as accurate as that of a QR factorization.
-void CapSector::build_fit() {
+void CapSector::build_fit(int fitted) {
   const int count = coefficient_count(shape_), cells = cell_count(shape_);
   std::vector<Eigen::MatrixXd> surfaces(cells), polynomials(cells);
   for (int cell = 0; cell < cells; ++cell) {
@@ -174,7 +176,7 @@ void CapSector::build_fit() {
       const Eigen::MatrixXd products = polynomials[cell] * surfaces[cell];
       for (Eigen::Index i = 0; i < products.cols(); ++i) sums.moments.col(net_.support(cell)[i]) += products.col(i);
     }
-    sums.turn(turns);
+    sums.turn(turns, fitted);
     return sums;
   };
   const Eigen::LLT<Eigen::MatrixXd> first(equations(turns_).gram);
@@ -191,13 +193,14 @@ void CapSector::build_fit() {
   }
 }
 
-const CapSector& cap_sector(int valence, CapShape shape) {
+const CapSector& cap_sector(int valence, CapShape shape, int fitted) {
   static std::mutex mutex;
-  static std::map<std::pair<int, CapShape>, CapSector> sectors;  // a map never moves its elements
+  static std::map<std::tuple<int, CapShape, int>, CapSector> sectors;  // a map never moves its elements
+  if (coefficient_count(shape) == 0) fitted = valence;                 // nothing is fitted
   const std::lock_guard lock(mutex);
-  const std::pair key{valence, shape};
+  const std::tuple key{valence, shape, fitted};
   const auto found = sectors.find(key);
-  return found != sectors.end() ? found->second : sectors.try_emplace(key, valence, shape).first->second;
+  return found != sectors.end() ? found->second : sectors.try_emplace(key, valence, shape, fitted).first->second;
 }
 
 }  // namespace umbilic

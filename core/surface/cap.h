@@ -61,10 +61,12 @@ constexpr int coefficient_count(CapShape shape) {
   return degree(shape) == 0 ? 0 : (degree(shape) + 1) * (degree(shape) + 2) / 2;
 }
 
-/// All data of a cap's sector that depend only on the valence and the shape.
+/// All data of a cap's sector that depend only on the valence and the shape, and on how many sectors carry surface, if
+/// the vertex is on a boundary.
 class CapSector {
  public:
-  CapSector(int valence, CapShape shape);
+  /// Sectors 0 to `fitted` - 1 are those that carry surface.
+  CapSector(int valence, CapShape shape, int fitted);
 
   const RingNet& net() const { return net_; }
   CapShape shape() const { return shape_; }
@@ -79,7 +81,9 @@ class CapSector {
 
   /// The coefficients of Q in the sector's own coordinates as a linear function of the net, coefficients x net size:
   /// the least-squares fit to S, weighted by |grad b|^2, over the second ring (over the only ring of a one-ring cap).
-  /// Farther out S has control points of its own, which can make up for errors of Q.
+  /// Farther out S has control points of its own, which can make up for errors of Q. Only the sectors that carry
+  /// surface are fitted: in the others S would depend on more ghosts than there are. The fit is invariant under the
+  /// mirror that exchanges the first of them with the last.
   const Eigen::MatrixXd& fit() const { return fit_; }
   /// The nonzero columns of `fit`, sorted.
   const std::vector<int>& fit_support() const { return fit_support_; }
@@ -92,7 +96,7 @@ class CapSector {
   Derivatives blend(int cell, double u, double v) const;
   DerivativeRows polynomials(const Derivatives& x, const Derivatives& y) const;
   void build_turns();
-  void build_fit();
+  void build_fit(int fitted);
 
   RingNet net_;
   CapShape shape_;
@@ -103,6 +107,7 @@ class CapSector {
 };
 
 /// The sector of a valence and shape, made once per process.
-const CapSector& cap_sector(int valence, CapShape shape);
+const CapSector& cap_sector(int valence, CapShape shape, int fitted);
+inline const CapSector& cap_sector(int valence, CapShape shape) { return cap_sector(valence, shape, valence); }
 
 }  // namespace umbilic

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "mesh/boundary.h"
 #include "surface/cells.h"
 
 namespace umbilic {
@@ -19,13 +20,22 @@ int sector_cell(const PolygonMesh& m, int h, int i, int j) {
   return h;
 }
 
+/// The same while the cells are surface; -1 if one is not.
+int surface_cell(const PolygonMesh& m, int h, int i, int j) {
+  for (; j > 0 && m.is_surface(m.face(h)); --j) h = cell_above(m, h);
+  for (; i > 0 && m.is_surface(m.face(h)); --i) h = cell_right(m, h);
+  return m.is_surface(m.face(h)) ? h : -1;
+}
+
+/// Counterclockwise; at a vertex on the boundary the spokes of the surface's sectors come first.
 std::vector<int> spokes(const PolygonMesh& mesh, int vertex) {
   std::vector<int> result;
-  int h = mesh.outgoing(vertex);
+  const int leaving = boundary_halfedge(mesh, vertex), first = leaving < 0 ? mesh.outgoing(vertex) : leaving;
+  int h = first;
   do {
     result.push_back(h);
     h = mesh.rotate(h);
-  } while (h != mesh.outgoing(vertex));
+  } while (h != first);
   return result;
 }
 
@@ -41,6 +51,29 @@ std::vector<int> gather_net(const PolygonMesh& mesh, int vertex, const RingNet& 
         points[net.index(sector, a, b)] = b < rings ? mesh.target(h) : mesh.target(mesh.next(h));
       }
     }
+  }
+  return points;
+}
+
+/// The same for a vertex on the boundary, whose first `sectors` sectors carry surface: the points of the first ring,
+/// and the points around the faces of these sectors, which all exist, for the faces' corners have their ghosts.
+std::vector<int> gather_boundary_net(const PolygonMesh& mesh, int vertex, const RingNet& net, int sectors) {
+  std::vector<int> points(net.size(), -1);
+  points[0] = vertex;
+  const std::vector<int> spoke = spokes(mesh, vertex);
+  for (int sector = 0; sector < net.valence(); ++sector) {
+    points[net.index(sector, 1, 0)] = mesh.target(spoke[sector]);
+    points[net.index(sector, 1, 1)] = mesh.target(mesh.next(spoke[sector]));
+  }
+  for (int sector = 0; sector < sectors; ++sector) {
+    const int right = cell_right(mesh, spoke[sector]), above = cell_above(mesh, spoke[sector]);
+    points[net.index(sector, 2, -1)] = mesh.target(cell_below(mesh, right));
+    points[net.index(sector, 2, 0)] = mesh.target(right);
+    points[net.index(sector, 2, 1)] = mesh.target(mesh.next(right));
+    points[net.index(sector, 2, 2)] = mesh.target(mesh.next(cell_right(mesh, above)));
+    points[net.index(sector, 1, 2)] = mesh.target(mesh.next(above));
+    points[net.index(sector, 0, 2)] = mesh.origin(mesh.previous(above));
+    points[net.index(sector, -1, 2)] = mesh.origin(mesh.previous(cell_left(mesh, above)));
   }
   return points;
 }
@@ -63,15 +96,31 @@ std::vector<int> gather_regular(const PolygonMesh& mesh, int h) {
   return points;
 }
 
-/// The faces in the first `rings` rings of the vertex; a face that is reached twice is listed twice.
+/// The faces of the surface in the first `rings` rings of the vertex; a face that is reached twice is listed twice.
 std::vector<int> faces_around(const PolygonMesh& mesh, int vertex, int rings) {
   std::vector<int> faces;
   for (const int spoke : spokes(mesh, vertex)) {
     for (int j = 0; j < rings; ++j) {
-      for (int i = 0; i < rings; ++i) faces.push_back(mesh.face(sector_cell(mesh, spoke, i, j)));
+      for (int i = 0; i < rings; ++i) {
+        const int h = surface_cell(mesh, spoke, i, j);
+        if (h >= 0) faces.push_back(mesh.face(h));
+      }
     }
   }
   return faces;
+}
+
+/// The faces that a cap would change if it took so many rings, or as many less as leave it on the surface.
+struct Reach {
+  std::vector<int> faces;
+  bool whole = true;  ///< whether it is so many rings
+};
+
+Reach reach_of(const PolygonMesh& mesh, int vertex, int rings) {
+  if (rings == 1 || boundary_halfedge(mesh, vertex) >= 0) return {faces_around(mesh, vertex, 1), rings == 1};
+  std::vector<int> faces = faces_around(mesh, vertex, rings);
+  if (static_cast<int>(faces.size()) == rings * rings * mesh.valence(vertex)) return {std::move(faces), true};
+  return {reach_of(mesh, vertex, rings / 2).faces, false};
 }
 
 /// Shapes of smooth caps. Each vertex gets the widest cap whose faces no other cap of the same width would use, and
@@ -80,17 +129,18 @@ std::vector<CapShape> widest_shapes(const PolygonMesh& mesh, const std::vector<i
                                     const std::vector<bool>& held) {
   std::vector<CapShape> shapes(extraordinary.size(), CapShape::kOneRing);
   for (const CapShape wider : {CapShape::kTwoRing, CapShape::kFourRing}) {
-    std::vector<std::vector<int>> faces;
+    std::vector<Reach> reaches;
     std::vector<int> covered(mesh.face_count(), 0);
     for (const int v : extraordinary) {
-      faces.push_back(faces_around(mesh, v, rings(wider)));
-      for (const int f : faces.back()) ++covered[f];
+      reaches.push_back(reach_of(mesh, v, rings(wider)));
+      for (const int f : reaches.back().faces) ++covered[f];
     }
-    for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (std::size_t i = 0; i < reaches.size(); ++i) {
+      const std::vector<int>& faces = reaches[i].faces;
       const auto alone = [&](int f) { return covered[f] == 1; };
-      const auto as_first = [&](int f) { return held[f] == held[faces[i].front()]; };
-      const bool mixed = !held.empty() && !std::all_of(faces[i].begin(), faces[i].end(), as_first);
-      if (!mixed && std::all_of(faces[i].begin(), faces[i].end(), alone)) shapes[i] = wider;
+      const auto as_first = [&](int f) { return held[f] == held[faces.front()]; };
+      const bool mixed = !held.empty() && !std::all_of(faces.begin(), faces.end(), as_first);
+      if (reaches[i].whole && !mixed && std::all_of(faces.begin(), faces.end(), alone)) shapes[i] = wider;
     }
   }
   return shapes;
@@ -128,18 +178,18 @@ PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& fac
                          Part part)
     : cap_(cap), control_count_(mesh.vertex_count()), point_count_(control_count_), face_count_(0) {
   const auto covers = [&](int f) { return part == Part::kAll || (!held.empty() && held[f]) == (part == Part::kHeld); };
-  for (int f = 0; f < mesh.face_count(); ++f) face_count_ += covers(f);
+  for (int f = 0; f < mesh.surface_face_count(); ++f) face_count_ += covers(f);
   Representatives representatives(face_orbits);
   std::vector<bool> capped(mesh.face_count(), false);
   for (Cap& here : find_caps(mesh, held)) {
     here.first_coefficient = point_count_;
-    const RingNet& net = cap_sector(here.valence, here.shape).net();
+    const RingNet& net = sector_of(here).net();
     const std::vector<int> spoke = spokes(mesh, here.vertex);
     bool needed = false;
     for (int cell = 0; cell < cell_count(here.shape); ++cell) {
       const PatchKind kind{here.valence, here.shape, cell};
       const PatchColumns columns = patch_columns(kind);
-      for (int sector = 0; sector < here.valence; ++sector) {
+      for (int sector = 0; sector < here.sectors; ++sector) {
         const int h = sector_cell(mesh, spoke[sector], cell % rings(here.shape), cell / rings(here.shape));
         capped[mesh.face(h)] = true;
         if (!covers(mesh.face(h))) continue;
@@ -158,10 +208,10 @@ PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& fac
       }
     }
     if (!needed) continue;
-    point_count_ += here.valence * coefficient_count(here.shape);
+    point_count_ += here.sectors * coefficient_count(here.shape);
     caps_.push_back(std::move(here));
   }
-  for (int f = 0; f < mesh.face_count(); ++f) {
+  for (int f = 0; f < mesh.surface_face_count(); ++f) {
     if (capped[f] || !covers(f)) continue;
     const int multiplicity = representatives.take(f);
     if (multiplicity > 0)
@@ -182,7 +232,7 @@ std::vector<bool> PatchLayout::used_control_points() const {
     }
   }
   for (const Cap& cap : caps_) {
-    for (const int i : cap_sector(cap.valence, cap.shape).fit_support()) used[cap.net[i]] = true;
+    for (const int i : sector_of(cap).fit_support()) used[cap.net[i]] = true;
   }
   return used;
 }
@@ -190,7 +240,7 @@ std::vector<bool> PatchLayout::used_control_points() const {
 std::vector<Cap> PatchLayout::find_caps(const PolygonMesh& mesh, const std::vector<bool>& held) const {
   std::vector<int> extraordinary;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (mesh.is_extraordinary(v)) extraordinary.push_back(v);
+    if (mesh.is_extraordinary(v) && mesh.on_surface(v)) extraordinary.push_back(v);
   }
   const std::vector<CapShape> shapes =
       cap_ == CapKind::kSmooth
@@ -199,8 +249,14 @@ std::vector<Cap> PatchLayout::find_caps(const PolygonMesh& mesh, const std::vect
   std::vector<Cap> caps;
   for (std::size_t i = 0; i < extraordinary.size(); ++i) {
     const int v = extraordinary[i], valence = mesh.valence(v);
-    const CapShape shape = shapes[i];
-    caps.push_back({v, valence, shape, gather_net(mesh, v, cap_sector(valence, shape).net(), control_rings(shape)), 0});
+    Cap& cap = caps.emplace_back(Cap{v, valence, valence, shapes[i], {}, 0});
+    const RingNet& net = sector_of(cap).net();
+    if (boundary_halfedge(mesh, v) < 0) {
+      cap.net = gather_net(mesh, v, net, control_rings(cap.shape));
+    } else {
+      cap.sectors = surface_valence(mesh, v);
+      cap.net = gather_boundary_net(mesh, v, net, cap.sectors);
+    }
   }
   return caps;
 }
@@ -236,10 +292,10 @@ void PatchLayout::extend(const Points& control, Points& points) const {
   for (const Cap& cap : caps_) {
     const int count = coefficient_count(cap.shape);
     if (count == 0) continue;
-    const CapSector& sector = cap_sector(cap.valence, cap.shape);
+    const CapSector& sector = sector_of(cap);
     Coefficients coefficients = Coefficients::Zero(count, 3);
     for (const int i : sector.fit_support()) coefficients.noalias() += sector.fit().col(i) * control.row(cap.net[i]);
-    for (int j = 0; j < cap.valence; ++j) {
+    for (int j = 0; j < cap.sectors; ++j) {
       points.middleRows(cap.first_coefficient + j * count, count) = sector.turn(j).lazyProduct(coefficients);
     }
   }
@@ -250,9 +306,9 @@ void PatchLayout::pull_back(Points& gradient) const {
   for (const Cap& cap : caps_) {
     const int count = coefficient_count(cap.shape);
     if (count == 0) continue;
-    const CapSector& sector = cap_sector(cap.valence, cap.shape);
+    const CapSector& sector = sector_of(cap);
     Coefficients coefficients = Coefficients::Zero(count, 3);
-    for (int j = 0; j < cap.valence; ++j) {
+    for (int j = 0; j < cap.sectors; ++j) {
       const auto here = gradient.middleRows(cap.first_coefficient + j * count, count);
       coefficients += sector.turn(j).transpose().lazyProduct(here);
     }
@@ -268,8 +324,8 @@ SparseMatrix PatchLayout::extension() const {
   for (const Cap& cap : caps_) {
     const int count = coefficient_count(cap.shape);
     if (count == 0) continue;
-    const CapSector& sector = cap_sector(cap.valence, cap.shape);
-    for (int j = 0; j < cap.valence; ++j) {
+    const CapSector& sector = sector_of(cap);
+    for (int j = 0; j < cap.sectors; ++j) {
       const Eigen::MatrixXd fit = sector.turn(j) * sector.fit();
       for (const int i : sector.fit_support()) {
         for (int k = 0; k < count; ++k) {

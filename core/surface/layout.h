@@ -18,12 +18,16 @@ namespace umbilic {
 struct Cap {
   int vertex = 0;
   int valence = 0;
+  int sectors = 0;  ///< those that carry surface, from sector 0 on: all, but for a vertex on the boundary
   CapShape shape = CapShape::kBare;
-  std::vector<int> net;  ///< control points in the order of RingNet; -1 beyond the shape's control rings
+  std::vector<int> net;  ///< control points in the order of RingNet; -1 for those that the cap does not depend on
   /// Index of the layout point that holds sector 0's first coefficient. Sector j's are j * coefficient_count(shape)
   /// later.
   int first_coefficient = 0;
 };
+
+/// The data of the cap's sectors.
+inline const CapSector& sector_of(const Cap& cap) { return cap_sector(cap.valence, cap.shape, cap.sectors); }
 
 /// All patches of one kind.
 struct PatchSet {
@@ -45,7 +49,9 @@ enum class Part { kAll, kFree, kHeld };
 class PatchLayout {
  public:
   /// `mesh` must be evaluable (mesh/hierarchy.h). Each smooth cap takes four rings, else two, else one: the widest cap
-  /// whose faces no other cap of that width would use, and whose faces are all held or all free.
+  /// whose faces no other cap of that width would use, and whose faces are all held or all free. Only faces of the
+  /// surface get patches. A cap may not reach over the boundary; at an extraordinary vertex on the boundary it takes
+  /// one ring of the surface.
   PatchLayout(const PolygonMesh& mesh, CapKind cap);
   /// Keeps only one patch of each orbit of faces, with the size of the orbit as its multiplicity, and only the caps of
   /// those patches. `held` tells of each face whether it is held, or is empty; orbits are held as a whole.
@@ -55,7 +61,7 @@ class PatchLayout {
   int control_count() const { return control_count_; }
   int point_count() const { return point_count_; }
   int patch_count() const;
-  int face_count() const { return face_count_; }  ///< of the part of the mesh that is covered
+  int face_count() const { return face_count_; }  ///< of the part of the surface that is covered
   CapKind cap() const { return cap_; }
   const std::vector<PatchSet>& sets() const { return sets_; }
   const std::vector<Cap>& caps() const { return caps_; }

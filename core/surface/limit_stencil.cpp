@@ -28,7 +28,8 @@ int upper_left(const PolygonMesh& m, int h) { return m.target(m.next(m.next(h)))
 bool has_quads_around(const PolygonMesh& mesh, int vertex) {
   int h = mesh.outgoing(vertex);
   do {
-    if (mesh.face_size(mesh.face(h)) != 4) return false;
+    // An outer face of an open surface (mesh/polygon_mesh.h) is no face to walk over, even if it has four sides.
+    if (mesh.face_size(mesh.face(h)) != 4 || mesh.role(mesh.face(h)) == FaceRole::kOuter) return false;
     h = mesh.rotate(h);
   } while (h != mesh.outgoing(vertex));
   return true;
@@ -166,7 +167,11 @@ LimitStencil pulled_back(const LimitStencil& stencil, const SparseMatrix& refine
 /// corner k comes first, the old direction u starts k corners before.
 SurfacePlace refined(const SurfacePlace& place, const PolygonMesh& mesh) {
   SurfacePlace result = place;
-  if (place.is_vertex()) return result;
+  if (place.is_vertex()) {
+    // Vertices that only holes use are left out (mesh/open_subdivision.h).
+    for (int v = 0; mesh.is_open() && v < place.vertex; ++v) result.vertex -= !mesh.on_surface(v);
+    return result;
+  }
   if (mesh.face_size(mesh.face(place.halfedge)) != 4) {
     result.halfedge = 4 * place.halfedge;
     return result;

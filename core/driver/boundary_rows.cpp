@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Walks around boundary vertices.
+#include "driver/boundary_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "mesh/boundary.h"
+
+namespace umbilic {
+namespace {
+
+/// The half-edges out of a vertex, counterclockwise from `first`.
+std::vector<int> spokes_from(const PolygonMesh& mesh, int first) {
+  std::vector<int> spokes;
+  int h = first;
+  do {
+    spokes.push_back(h);
+    h = mesh.rotate(h);
+  } while (h != first);
+  return spokes;
+}
+
+/// The corner of a spoke's face that is opposite the vertex.
+int opposite(const PolygonMesh& mesh, int spoke) { return mesh.target(mesh.next(spoke)); }
+
+class Rows {
+ public:
+  Rows(const PolygonMesh& mesh, std::vector<PointRow>& rows) : mesh_(mesh), rows_(rows) {}
+
+  /// At the vertex where the boundary's half-edge `out` begins, between stretches with the conditions `before` and
+  /// `after`.
+  void add(int out, BoundaryCondition before, BoundaryCondition after) {
+    vertex_ = mesh_.origin(out);
+    const std::vector<int> spokes = spokes_from(mesh_, out);
+    const std::size_t faces = static_cast<std::size_t>(surface_valence(mesh_, vertex_));
+    if (faces == 1) {
+      corner(spokes, before, after);
+    } else if (faces == 2) {
+      across(mesh_.target(spokes[3]), vertex_, mesh_.target(spokes[1]), std::max(before, after));
+    } else {
+      ring(spokes, faces, std::max(before, after));
+    }
+  }
+
+ private:
+  void hold(std::vector<int> points, std::vector<double> weights) {
+    rows_.push_back({std::move(points), std::move(weights), vertex_});
+  }
+
+  /// Of the row through the points outside, on and inside the boundary.
+  void across(int outside, int on, int inside, BoundaryCondition condition) {
+    if (condition >= BoundaryCondition::kPosition) hold({outside, on, inside}, {1 / 6., 4 / 6., 1 / 6.});
+    if (condition >= BoundaryCondition::kTangent) hold({outside, inside}, {-0.5, 0.5});
+    if (condition >= BoundaryCondition::kCurvature) hold({outside, on, inside}, {1, -2, 1});
+  }
+
+  /// The net around a corner: net[b][a] lies a - 1 steps along the boundary's half-edge that leaves it, and b - 1 steps
+  /// along the one that comes to it, backwards.
+  void corner(const std::vector<int>& spokes, BoundaryCondition before, BoundaryCondition after) {
+    const int right = mesh_.target(spokes[0]), above = mesh_.target(spokes[1]), left = mesh_.target(spokes[2]),
+              below = mesh_.target(spokes[3]);
+    const int net[3][3] = {{opposite(mesh_, spokes[2]), below, opposite(mesh_, spokes[3])},
+                           {left, vertex_, right},
+                           {opposite(mesh_, spokes[1]), above, opposite(mesh_, spokes[0])}};
+    for (int i = 0; i < 2; ++i) {
+      across(net[0][i], net[1][i], net[2][i], after);
+      across(net[i][0], net[i][1], net[i][2], before);
+    }
+  }
+
+  void ring(const std::vector<int>& spokes, std::size_t faces, BoundaryCondition condition) {
+    if (condition == BoundaryCondition::kFree) return;
+    const std::size_t count = spokes.size();
+    assert(count == 2 * faces);
+    hold({vertex_}, {1});
+    hold({mesh_.target(spokes[0])}, {1});
+    hold({mesh_.target(spokes[faces])}, {1});
+    const bool all = condition >= BoundaryCondition::kTangent;
+    const auto pair = [&](int point, int mirrored) {
+      if (all) {
+        hold({point}, {1});
+        hold({mirrored}, {1});
+      } else {
+        hold({point, mirrored}, {1, 1});
+      }
+    };
+    for (std::size_t j = 1; j < faces; ++j) pair(mesh_.target(spokes[j]), mesh_.target(spokes[count - j]));
+    for (std::size_t j = 0; j < faces; ++j) pair(opposite(mesh_, spokes[j]), opposite(mesh_, spokes[count - 1 - j]));
+  }
+
+  const PolygonMesh& mesh_;
+  std::vector<PointRow>& rows_;
+  int vertex_ = 0;
+};
+
+/// The loops in the order of their first vertices, in which reports of a cage number them.
+std::vector<std::vector<int>> numbered_loops(const PolygonMesh& mesh) {
+  std::vector<std::vector<int>> loops = boundary_loops(mesh);
+  const auto first_vertex = [&](const std::vector<int>& loop) {
+    int first = mesh.vertex_count();
+    for (const int h : loop) first = std::min(first, mesh.origin(h));
+    return first;
+  };
+  std::sort(loops.begin(), loops.end(),
+            [&](const auto& a, const auto& b) { return first_vertex(a) < first_vertex(b); });
+  return loops;
+}
+
+}  // namespace
+
+Result<std::vector<BoundaryCondition>> boundary_conditions(const BoundaryConditions& conditions,
+                                                           const PolygonMesh& mesh) {
+  if (!mesh.is_open()) {
+    if (conditions.loops.empty()) return std::vector<BoundaryCondition>();
+    return Error{"constraints.boundary.loops[0]: the cage is closed"};
+  }
+  std::vector<BoundaryCondition> result(mesh.surface_halfedge_count(), conditions.condition);
+  const std::vector<std::vector<int>> loops = numbered_loops(mesh);
+  for (std::size_t i = 0; i < conditions.loops.size(); ++i) {
+    const LoopCondition& wanted = conditions.loops[i];
+    const auto refused = [&](std::string_view member, const std::string& words) {
+      return Error{fmt::format("constraints.boundary.loops[{}].{}: {}", i, member, words)};
+    };
+    if (wanted.loop < 1 || wanted.loop > static_cast<int>(loops.size())) {
+      return refused("loop", fmt::format("there is no boundary {}; the cage has {}", wanted.loop, loops.size()));
+    }
+    const std::vector<int>& loop = loops[wanted.loop - 1];
+    if (wanted.from.has_value() != wanted.to.has_value()) return refused("from", "a stretch needs from and to");
+    std::size_t begin = 0, count = loop.size();
+    if (wanted.from) {
+      const auto at = [&](int number) {
+        return std::find_if(loop.begin(), loop.end(), [&](int h) { return mesh.origin(h) == number - 1; });
+      };
+      const auto from = at(*wanted.from), to = at(*wanted.to);
+      if (from == loop.end()) return refused("from", fmt::format("vertex {} is not on that boundary", *wanted.from));
+      if (to == loop.end()) return refused("to", fmt::format("vertex {} is not on that boundary", *wanted.to));
+      begin = static_cast<std::size_t>(from - loop.begin());
+      count = (static_cast<std::size_t>(to - loop.begin()) + loop.size() - begin) % loop.size();
+      if (count == 0) count = loop.size();
+    }
+    for (std::size_t k = 0; k < count; ++k) result[loop[(begin + k) % loop.size()]] = wanted.condition;
+  }
+  const std::vector<bool> bare = bare_vertices(mesh);
+  for (int h = 0; h < mesh.surface_halfedge_count(); ++h) {
+    if (!mesh.is_boundary(h) || result[h] != BoundaryCondition::kCurvature || bare.empty()) continue;
+    if (!bare[mesh.origin(h)] && !bare[mesh.target(h)]) continue;
+    return Error{fmt::format(
+        "constraints.boundary: the cage says nothing of the curvature across its boundary at vertex {}: hold "
+        "the faces next to it, or mark the outermost ones as holes",
+        mesh.origin(h) + 1)};
+  }
+  return result;
+}
+
+std::vector<BoundaryCondition> refined(const std::vector<BoundaryCondition>& conditions, const PolygonMesh& mesh,
+                                       const PolygonMesh& finer) {
+  if (conditions.empty()) return {};
+  std::vector<BoundaryCondition> result(finer.surface_halfedge_count(), BoundaryCondition::kFree);
+  for (int h = 0; h < mesh.surface_halfedge_count(); ++h) {
+    if (!mesh.is_boundary(h)) continue;
+    result[4 * h] = conditions[h];                 // the half at its origin is in the quad of h
+    result[4 * mesh.next(h) + 3] = conditions[h];  // the other half is in that of the next half-edge
+  }
+  return result;
+}
+
+bool holds_boundary(const std::vector<BoundaryCondition>& conditions, const PolygonMesh& mesh) {
+  for (std::size_t h = 0; h < conditions.size(); ++h) {
+    if (mesh.is_boundary(static_cast<int>(h)) && conditions[h] != BoundaryCondition::kFree) return true;
+  }
+  return false;
+}
+
+std::vector<PointRow> boundary_rows(const std::vector<BoundaryCondition>& conditions, const PolygonMesh& mesh) {
+  std::vector<PointRow> rows;
+  if (conditions.empty()) return rows;
+  Rows adder(mesh, rows);
+  for (const std::vector<int>& loop : boundary_loops(mesh)) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      adder.add(loop[i], conditions[loop[(i + loop.size() - 1) % loop.size()]], conditions[loop[i]]);
+    }
+  }
+  return rows;
+}
+
+}  // namespace umbilic
