@@ -8,8 +8,8 @@ import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments
 
 /** Diameter of a pin's dot, in CSS pixels. */
 const DOT = 11;
-/** By how much marks are drawn nearer to the viewer than they are, so that they lie on the surface. */
-const LIFT = 0.0015;
+/** By which part of their distance marks are drawn nearer to the viewer, so that they lie on the surface. */
+const LIFT = { rim: 0.003, pin: 0.012 };
 
 /** Draws dots as discs. @param {Material} material */
 function asDiscs(material) {
@@ -18,22 +18,22 @@ function asDiscs(material) {
       '#include <color_fragment>',
       '#include <color_fragment>\nif (distance(gl_PointCoord, vec2(0.5)) > 0.5) discard;',
     );
-    lifted(shader);
+    lift(shader, LIFT.pin);
   };
 }
 
-/** @param {{vertexShader: string}} shader */
-function lifted(shader) {
+/** Moves vertices towards the viewer, which leaves them where they are on the screen. @param {{vertexShader: string}} shader @param {number} part */
+function lift(shader, part) {
   shader.vertexShader = shader.vertexShader.replace(
     '#include <project_vertex>',
-    `#include <project_vertex>\ngl_Position.z -= ${LIFT} * gl_Position.w;`,
+    `#include <project_vertex>\ngl_Position = projectionMatrix * vec4(mvPosition.xyz * ${1 - part}, 1.0);`,
   );
 }
 
 export function createMarks() {
   const rimGeometry = new BufferGeometry();
   const rimSeen = new LineBasicMaterial({ transparent: true, opacity: 0.75, toneMapped: false });
-  rimSeen.onBeforeCompile = lifted;
+  rimSeen.onBeforeCompile = (shader) => lift(shader, LIFT.rim);
   const rim = new LineSegments(rimGeometry, rimSeen);
 
   const pinGeometry = new BufferGeometry();

@@ -14,7 +14,7 @@ import { quantities } from '../colour/quantities.js';
 /** The surface's colour if no quantity colours it. */
 const PLAIN = new Color(0xd9d2c5);
 /** The colour of what is held: a grey darker than any in the middle of a colour map. */
-const HELD = new Color(0x83878d);
+const HELD = new Color(0x92969c);
 
 /** @param {MapName} name */
 function mapTexture(name) {
