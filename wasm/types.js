@@ -55,12 +55,43 @@
  */
 
 /**
+ * Faces of the cage: those of some groups of its file, and some by their numbers, from 1.
+ * @typedef {{groups?: string[], faces?: number[]}} FaceSelection
+ *
+ * A point of the surface that is held, at a vertex of the cage or in a face; see core/problem/pin.h.
+ * @typedef {object} Pin
+ * @property {number} [vertex] its number, from 1
+ * @property {number} [face] its number, from 1
+ * @property {number} [corner] of a face that is no quad, from 1
+ * @property {[number, number]} [uv] where in the face
+ * @property {[number, number, number]} [at] where the point lies; NaN leaves a coordinate free
+ * @property {boolean} [position] whether the point is held; default true
+ * @property {boolean | [number, number, number]} [normal] the surface's normal there
+ */
+
+/**
+ * What is held at boundaries.
+ * @typedef {'free' | 'position' | 'tangent' | 'curvature'} BoundaryCondition
+ * @typedef {{condition?: BoundaryCondition, loops?: {loop: number, from?: number, to?: number, condition: BoundaryCondition}[]}} BoundaryConditions
+ */
+
+/**
+ * What the surface must keep. At most one of `hold` and `free` is given.
+ * @typedef {object} Constraints
+ * @property {FaceSelection} [hold] faces whose surface stays that of the cage
+ * @property {FaceSelection} [free] the only faces whose surface may move
+ * @property {Pin[]} [pins]
+ * @property {{weight: number} | {within: number}} [closeness] how near the surface stays to the cage's own
+ * @property {BoundaryConditions} [boundary] of open surfaces; by default tangents are held everywhere
+ */
+
+/**
  * @typedef {object} Problem
  * @property {CageInput} cage
  * @property {Terms} terms
  * @property {Fill} [fill] unless the constraints say what is held, everything is that neither fills nor touches
  *   a boundary
- * @property {{}} [constraints] there are none yet
+ * @property {Constraints} [constraints] by default nothing is held
  * @property {Options} [options]
  * @property {SurfaceState} [start] the surface from which the run starts; by default that of the cage
  */
@@ -137,9 +168,11 @@
  * A quantity is NaN if it diverges. `resolved` is false if the samples miss some curvature, so that Gauss-Bonnet fails.
  * `below_bound` is true if an energy is below what any closed surface of the genus has. `embedded` is true if the Willmore
  * energy proves that the surface does not touch itself. `input_rounding`, only for a cage far from the origin, is the largest
- * relative change of each functional that the rounding of the coordinates can cause.
+ * relative change of each functional that the rounding of the coordinates can cause. `free`, only where faces are held, is what
+ * is minimized: the energies of the free faces, where third-order functionals have the constant factor `area_factor`.
+ * @typedef {Record<FunctionalName | 'area' | 'area_factor', number>} FreeEnergies
  * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number> & {resolved: boolean, below_bound: boolean,
- *   embedded: boolean, input_rounding?: Record<FunctionalName, number>}} Energies
+ *   embedded: boolean, input_rounding?: Record<FunctionalName, number>, free?: FreeEnergies}} Energies
  */
 
 /**
@@ -153,6 +186,9 @@
  * a mistake.
  * @typedef {CageCounts & {components: CageComponent[], boundaries: CageBoundary[], groups: {name: string, faces: number}[],
  *   repairs: string[], notes: string[]}} CageReport
+ *
+ * A group of faces of a cage's file, with their numbers from 1. A face may be in several groups.
+ * @typedef {{name: string, faces: number[]}} FaceGroup
  */
 
 /**
@@ -187,6 +223,7 @@
  * @property {Float32Array} normals 3 per vertex
  * @property {Float32Array} curvatures 2 per vertex
  * @property {Uint32Array} triangles 3 per triangle
+ * @property {Uint32Array} faces of each triangle: the face of the cage that it descends from, from 0
  * @property {Uint32Array} edges 2 per edge, each edge once
  */
 

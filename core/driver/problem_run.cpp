@@ -28,7 +28,7 @@ Result<ProblemRun> begin_run(Problem problem) {
   if (!cage) return cage.error();
   Result<Run> run = Run::create(cage->cage, problem.options, cage->constraints, problem.start);
   if (!run) return named(problem.cage, run.error());
-  return ProblemRun{std::move(problem), std::move(cage->report), std::move(run).value()};
+  return ProblemRun{std::move(problem), std::move(cage->report), std::move(run).value(), std::move(cage->cage.groups)};
 }
 
 }  // namespace umbilic

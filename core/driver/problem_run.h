@@ -3,6 +3,9 @@
 /// A run together with its problem: from a `Problem` to a `Report`.
 #pragma once
 
+#include <vector>
+
+#include "cage/cage.h"
 #include "driver/run.h"
 #include "problem/problem.h"
 #include "problem/report.h"
@@ -13,6 +16,7 @@ struct ProblemRun {
   Problem problem;  ///< with what is held on account of its fill
   CageReport cage;  ///< of the cage after filling
   Run run;
+  std::vector<FaceGroup> groups{};  ///< of the cage
 
   /// Report on the best surface so far. The caller fills in `program` and `certificate`.
   Report report() const;

@@ -43,7 +43,8 @@ struct Run::State {
   };
 
   RunOptions options;
-  int required_level = 0;  // the first level that can be evaluated
+  int required_level = 0;             // the first level that can be evaluated
+  std::vector<int> faces_of_corners;  // of the cage: the face of each half-edge
   std::unique_ptr<Level> level;
   std::optional<EndedLevel> best;  // of the levels before `level`, as far as there are any
   std::size_t result = 0;          // the index of the best level, once the run is done
@@ -72,6 +73,15 @@ struct Run::State {
       written.reset();
     }
     return *energies;
+  }
+
+  /// Of each of so many faces at a level: the face of the cage that it descends from. A Catmull-Clark step makes a quad
+  /// of each half-edge, with the half-edge's number; half-edges of quads are numbered by fours.
+  std::vector<int> cage_faces(int level_of_faces, int count) const {
+    std::vector<int> faces(count);
+    for (int f = 0; f < count; ++f)
+      faces[f] = level_of_faces == 0 ? f : faces_of_corners[f >> 2 * (level_of_faces - 1)];
+    return faces;
   }
 
   Cage control_mesh() const {
@@ -217,6 +227,7 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
   state->options = options;
   state->required_level = required_level(prepared->mesh).value();
   if (auto error_of_size = too_large_a_run(*prepared, state->required_level, options)) return *error_of_size;
+  for (int h = 0; h < prepared->mesh.halfedge_count(); ++h) state->faces_of_corners.push_back(prepared->mesh.face(h));
   if (constrained && !leaves_size_open(*prepared))
     state->fixed_area = own_area(*prepared, state->required_level, options.cap);
   state->held_regions = HeldRegions(prepared->mesh, prepared->held);
@@ -307,6 +318,11 @@ Result<Certificate> Run::certify() const {
 
 Cage Run::control_mesh() const { return state_->control_mesh(); }
 
+std::vector<int> Run::cage_faces() const {
+  const RefinedCage cage = state_->level->best_cage();
+  return state_->cage_faces(cage.level, cage.mesh.surface_face_count());
+}
+
 Points Run::orbit_points() const {
   const RefinedCage cage = state_->level->best_cage();
   return cage.placement.back(Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control));
@@ -321,6 +337,7 @@ Result<LimitMesh> Run::limit_mesh(int density) const {
   LimitMesh mesh =
       tessellate(surface.mesh(), surface.symmetry(), surface.whole_layout(), state_->level->best(), density);
   put_back(mesh, surface.placement());
+  mesh.cage_faces = state_->cage_faces(surface.level(), surface.mesh().surface_face_count());
   return mesh;
 }
 
