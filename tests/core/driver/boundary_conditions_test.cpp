@@ -134,8 +134,8 @@ TEST(BoundaryConditions, of_curvature_need_data) {
   EXPECT_NE(words.find("says nothing of the curvature across its boundary at vertex"), std::string::npos) << words;
 }
 
-/// The cylinder's own curvature at its boundaries, and nothing else, gives the cylinder back from a disturbed one. What is
-/// left is the error of the circle of the boundary, a spline.
+/// The cylinder's own curvature at its boundaries, and nothing else, gives the cylinder back from a disturbed one. What
+/// is left is the error of the circle of the boundary, a spline.
 TEST(BoundaryConditions, of_curvature_find_the_cylinder_for_mvs_cross) {
   double before = 0;
   for (const int around : {16, 32}) {
@@ -146,7 +146,8 @@ TEST(BoundaryConditions, of_curvature_find_the_cylinder_for_mvs_cross) {
     Cage disturbed = cage;
     for (Eigen::Index v = 0; v < cage.vertices.rows(); ++v) {
       if (std::abs(cage.vertices(v, 2)) > 0.5) continue;  // C, D and E stay
-      for (int c = 0; c < 3; ++c) disturbed.vertices(v, c) += 0.05 * std::sin(1. + 7. * static_cast<double>(v) + 3. * c);
+      for (int c = 0; c < 3; ++c)
+        disturbed.vertices(v, c) += 0.05 * std::sin(1. + 7. * static_cast<double>(v) + 3. * c);
     }
     const umbilic::Run run = finished(disturbed, "mvs_cross", 0, at_boundary(BoundaryCondition::kCurvature));
     const double floor = run.result().energy_reported;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Holes that are filled while the rest is held: the fill of a sphere becomes the sphere's missing part, and the surface
-/// has continuous curvature where it joins the rest.
+/// Holes that are filled while the rest is held: the fill of a sphere becomes the sphere's missing part, and the
+/// surface has continuous curvature where it joins the rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,9 +116,13 @@ TEST_P(FilledHole, of_a_sphere_becomes_its_missing_part) {
     const Filled hole = filled(without_star(sphere, pole(sphere), halved), true);
     const umbilic::Run run = minimized(hole, "bending", 1);
     const EnergyReport& energies = run.energies();
-    printf("N %d halved %d refined %d stop %d group %s level %d free %.8f 2area %.8f ratio-1 %.3e whole/8pi-1 %.3e own %.3e\n", n, halved, hole.fill.refined.has_value(),
-           int(run.result().stop), run.group().name.c_str(), run.result().level, energies.free->functionals[kBending], 2 * energies.free->area,
-           energies.free->functionals[kBending] / (2 * energies.free->area) - 1, energies.functionals[kBending] / (8 * pi) - 1, own / (8 * pi) - 1);
+    printf(
+        "N %d halved %d refined %d stop %d group %s level %d free %.8f 2area %.8f ratio-1 %.3e whole/8pi-1 %.3e own "
+        "%.3e\n",
+        n, halved, hole.fill.refined.has_value(), int(run.result().stop), run.group().name.c_str(), run.result().level,
+        energies.free->functionals[kBending], 2 * energies.free->area,
+        energies.free->functionals[kBending] / (2 * energies.free->area) - 1,
+        energies.functionals[kBending] / (8 * pi) - 1, own / (8 * pi) - 1);
     EXPECT_EQ(run.result().stop, StopReason::kConverged);
   }
 }
@@ -131,7 +135,8 @@ struct Jump {
 
 /// Along the border between held and free faces, except at extraordinary vertices, by the patches of either side.
 Jump jump_at_border(const umbilic::Run& run, const Filled& filled) {
-  const RefinedCage cage = refine(*prepare(filled.fill.cage, run.result().level, false, filled.constraints), run.result().level);
+  const RefinedCage cage =
+      refine(*prepare(filled.fill.cage, run.result().level, false, filled.constraints), run.result().level);
   const Points control = cage.placement.to_unit(run.control_mesh().vertices);
   const auto of = [&](Part part) {
     const PatchLayout layout(cage.mesh, CapKind::kSmooth, face_orbits(cage.mesh, {}), cage.held, part);

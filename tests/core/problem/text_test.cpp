@@ -107,7 +107,8 @@ TEST(Text, of_a_problem_reads_back_as_the_same_problem) {
 }
 
 TEST(Text, of_a_generated_cage_shows_what_applies_to_it_with_the_segments_that_it_takes) {
-  const auto text = [](const GeneratedCage& cage) { return problem_text(Problem{.cage = cage}, JsonPrinter::Layout::kCompact);
+  const auto text = [](const GeneratedCage& cage) {
+    return problem_text(Problem{.cage = cage}, JsonPrinter::Layout::kCompact);
   };
   const auto shows = [&](const GeneratedCage& cage, std::string_view members) {
     return text(cage).find(members) != std::string::npos;
