@@ -106,8 +106,9 @@ Result<std::vector<int>> parse_loops(const std::string& text) {
     const std::size_t comma = std::min(text.find(',', begin), text.size());
     const Result<int> loop = parse_count(text.substr(begin, comma - begin), 1, std::numeric_limits<int>::max());
     if (!loop) {
-      return Error{fmt::format("{} is not all, nor numbers of boundaries as in 1,3 (where INPUT follows, write --fill=all)",
-                               in_quotes(text))};
+      return Error{
+          fmt::format("{} is not all, nor numbers of boundaries as in 1,3 (where INPUT follows, write --fill=all)",
+                      in_quotes(text))};
     }
     loops.push_back(*loop);
     begin = comma + 1;

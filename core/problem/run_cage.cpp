@@ -84,8 +84,7 @@ Result<Pin> renumbered(Pin pin, std::size_t index, const Cage& before, const Fil
   };
   if (Error error; !in_range(pin, error)) return Error{fmt::format("constraints.pins[{}].{}", index, error.message)};
   const auto missing = [&](std::string_view what, std::string_view many, int number, std::size_t count) {
-    return Error{
-        fmt::format("constraints.pins[{}].{}: {}, but the cage has {} {}", index, what, number, count, many)};
+    return Error{fmt::format("constraints.pins[{}].{}: {}, but the cage has {} {}", index, what, number, count, many)};
   };
   if (pin.vertex) {
     if (*pin.vertex > before.vertices.rows()) {
@@ -106,9 +105,10 @@ Result<Pin> renumbered(Pin pin, std::size_t index, const Cage& before, const Fil
   } else if (size == 4 ? !pin.corner : pin.corner && *pin.corner <= size) {
     refine_place(pin, size, number);
   } else {
-    return Error{fmt::format("constraints.pins[{}].corner: face {} has {} corners; those of a quad are not named, "
-                             "others must be, from 1 on",
-                             index, *pin.face, size)};
+    return Error{
+        fmt::format("constraints.pins[{}].corner: face {} has {} corners; those of a quad are not named, "
+                    "others must be, from 1 on",
+                    index, *pin.face, size)};
   }
   return pin;
 }
@@ -207,8 +207,9 @@ Result<RunCage> filled_cage(Problem& problem, CheckedCage made) {
   }
   if (!problem.constraints.holds_faces()) {
     if (!has_rest(*filled)) {
-      return Error{"fill: every face of the cage touches a filled boundary, and its surface depends on the fill: there is "
-                   "nothing to hold. \"hold\": {} in the constraints holds nothing"};
+      return Error{
+          "fill: every face of the cage touches a filled boundary, and its surface depends on the fill: there is "
+          "nothing to hold. \"hold\": {} in the constraints holds nothing"};
     }
     problem.constraints.free = fills(*filled);
     notes.push_back(fmt::format("held is what is not filled and touches no filled boundary: all but the groups {}",

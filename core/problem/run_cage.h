@@ -8,8 +8,8 @@
 /// and the surface over the other faces is what it was, to the last bit. `hold` with nothing in it holds nothing.
 #pragma once
 
-#include "problem/problem.h"
 #include "cage/read.h"
+#include "problem/problem.h"
 
 namespace umbilic {
 

@@ -67,8 +67,15 @@ beforeAll(() => {
 });
 
 describe.each(['bending', 'mvs_cross'])('a filled hole, minimizing %s', (functional) => {
-  const line = (/** @type {string} */ file, /** @type {string[]} */ ...more) =>
-    ['optimize', file, '--fill=all', '--functional', functional, '-q', ...more];
+  const line = (/** @type {string} */ file, /** @type {string[]} */ ...more) => [
+    'optimize',
+    file,
+    '--fill=all',
+    '--functional',
+    functional,
+    '-q',
+    ...more,
+  ];
 
   test('of twelve sides keeps every vertex of the file to the last digit', () => {
     const written = outputOf(line('twelve.obj', '--levels', '0..0', '-o', '-'), scratch);
@@ -79,10 +86,15 @@ describe.each(['bending', 'mvs_cross'])('a filled hole, minimizing %s', (functio
   });
 
   test.each(
-  /** @type {[string, string, RegExp][]} */ ([
-    ['twelve.obj', '0..1', /^filled boundary 1 of 12 vertices with \d+ faces, the group 'fill-1'$/],
-    ['five.obj', '0..0', /^filled boundary 1 of 10 vertices with .*; the cage was refined once first, because boundary 1 has 5 /],
-  ]))('of %s is a converged surface of the rest and the fill', (file, levels, note) => {
+    /** @type {[string, string, RegExp][]} */ ([
+      ['twelve.obj', '0..1', /^filled boundary 1 of 12 vertices with \d+ faces, the group 'fill-1'$/],
+      [
+        'five.obj',
+        '0..0',
+        /^filled boundary 1 of 10 vertices with .*; the cage was refined once first, because boundary 1 has 5 /,
+      ],
+    ]),
+  )('of %s is a converged surface of the rest and the fill', (file, levels, note) => {
     const report = jsonOf(line(file, '--levels', levels, '--report', '-'), scratch);
     expect(report.levels.at(-1).stop).toBe('converged');
     expect(report.cage).toMatchObject({ genus: 0, boundaries: [] });

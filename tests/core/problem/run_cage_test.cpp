@@ -36,7 +36,9 @@ std::string tube(int n, int rows) {
   return text;
 }
 
-Problem filling(std::string text, FillRequest fill = {}) { return {.cage = CageText{"t.obj", std::move(text)}, .fill = std::move(fill)}; }
+Problem filling(std::string text, FillRequest fill = {}) {
+  return {.cage = CageText{"t.obj", std::move(text)}, .fill = std::move(fill)};
+}
 
 std::string message(Problem problem) {
   const Result<RunCage> cage = run_cage(problem);
@@ -120,7 +122,8 @@ TEST(RunCage, finds_numbered_faces_and_pins_again_after_refinement) {
 
 TEST(RunCage, finds_boundaries_again_that_stay) {
   Problem problem = filling(tube(8, 4), {{1}, {}});
-  problem.constraints.boundary = BoundaryConditions{BoundaryCondition::kTangent, {{2, 33, 35, BoundaryCondition::kFree}}};
+  problem.constraints.boundary =
+      BoundaryConditions{BoundaryCondition::kTangent, {{2, 33, 35, BoundaryCondition::kFree}}};
   EXPECT_EQ(run_cage(problem)->constraints.boundary->loops[0].loop, 1);
   EXPECT_EQ(run_cage(problem)->constraints.boundary->loops[0].from, 33);
   problem.constraints.boundary->loops[0].loop = 1;
@@ -130,7 +133,8 @@ TEST(RunCage, finds_boundaries_again_that_stay) {
 TEST(RunCage, names_what_of_a_fill_does_not_fit) {
   EXPECT_EQ(message(filling(tube(8, 4), {{1, 3}, {}})), "t.obj: fill.loops[1]: there is no boundary 3; the cage has 2");
   EXPECT_EQ(message(filling(tube(8, 4), {{1, 1}, {}})), "t.obj: fill: boundary 1 is to be filled twice");
-  EXPECT_EQ(message(filling(tube(8, 4), {{}, {1, 9}})), "t.obj: fill.corners[1]: vertex 9 is on no boundary of the cage");
+  EXPECT_EQ(message(filling(tube(8, 4), {{}, {1, 9}})),
+            "t.obj: fill.corners[1]: vertex 9 is on no boundary of the cage");
   EXPECT_EQ(message(filling(tube(8, 4), {{1}, {33, 35, 37}})),
             "t.obj: fill: boundary 2 has marked corners, but is not filled");
   Problem closed{.cage = GeneratedCage{"cube", {}}, .fill = FillRequest{}};
