@@ -107,24 +107,34 @@ class FilledHole : public testing::TestWithParam<int> {};
 
 INSTANTIATE_TEST_SUITE_P(of_sides, FilledHole, testing::Range(3, 13));
 
-/// Every point of the unit sphere has the density 2.
+/// Every point of the unit sphere has the density 2. The rest is a sphere but for what quads as few as 24 n leave: the
+/// whole has up to 2 % more bending than a sphere already without the hole. Measured: 2.5 % for n = 3, at most 0.52 %
+/// for the others.
 TEST_P(FilledHole, of_a_sphere_becomes_its_missing_part) {
   const int n = GetParam();
   const Cage sphere = sphere_with_poles(n);
-  const double own = evaluate(sphere, CapKind::kSmooth, 1)->energies.functionals[kBending];
-  for (const bool halved : {false, true}) {
-    const Filled hole = filled(without_star(sphere, pole(sphere), halved), true);
-    const umbilic::Run run = minimized(hole, "bending", 1);
-    const EnergyReport& energies = run.energies();
-    printf(
-        "N %d halved %d refined %d stop %d group %s level %d free %.8f 2area %.8f ratio-1 %.3e whole/8pi-1 %.3e own "
-        "%.3e\n",
-        n, halved, hole.fill.refined.has_value(), int(run.result().stop), run.group().name.c_str(), run.result().level,
-        energies.free->functionals[kBending], 2 * energies.free->area,
-        energies.free->functionals[kBending] / (2 * energies.free->area) - 1,
-        energies.functionals[kBending] / (8 * pi) - 1, own / (8 * pi) - 1);
-    EXPECT_EQ(run.result().stop, StopReason::kConverged);
-  }
+  const Filled hole = filled(without_star(sphere, pole(sphere), false), true);
+  EXPECT_FALSE(hole.fill.refined);
+  const umbilic::Run run = minimized(hole, "bending", 1);
+  EXPECT_EQ(run.result().stop, StopReason::kConverged);
+  EXPECT_EQ(run.group().order, 2 * n) << "the fill keeps the symmetry of the hole";
+  const FreeEnergies& free = *run.energies().free;
+  EXPECT_NEAR(free.functionals[kBending], 2 * free.area, (n == 3 ? 0.03 : 0.006) * 2 * free.area);
+}
+
+/// Of n edges between triangles: where n is odd the cage is refined first, by the rules for boundaries, which move the
+/// hole's vertices off the sphere and towards one another; they stay there. What that costs is bending of the rest of
+/// the sphere, not of the fill alone.
+TEST_P(FilledHole, of_any_number_of_edges_nearly_becomes_the_missing_part) {
+  const int n = GetParam();
+  const Cage sphere = sphere_with_poles(n);
+  const Filled hole = filled(without_star(sphere, pole(sphere), true), true);
+  EXPECT_EQ(hole.fill.refined.has_value(), n % 2 == 1 || n == 4);
+  const umbilic::Run run = minimized(hole, "bending", 1);
+  EXPECT_EQ(run.result().stop, StopReason::kConverged);
+  const FreeEnergies& free = *run.energies().free;
+  EXPECT_NEAR(free.functionals[kBending], 2 * free.area, 0.035 * 8 * pi);
+  EXPECT_NEAR(run.energies().gaussian, 4 * pi, 1e-3);
 }
 
 /// Where both parts have values: the largest differences of positions, normals and curvatures.
@@ -166,8 +176,7 @@ TEST(FilledHoles, join_the_rest_with_continuous_curvature) {
         const Filled hole = filled(without_star(shape, pole(sphere_with_poles(n)), false), with_rim);
         const umbilic::Run run = minimized(hole, functional, 1);
         const Jump jump = jump_at_border(run, hole);
-        printf("n %d rim %d %s stop %d: %d points, position %.2e normal %.2e curvature %.2e\n", n, with_rim, functional,
-               int(run.result().stop), jump.points, jump.position, jump.normal, jump.curvature);
+        EXPECT_EQ(run.result().stop, StopReason::kConverged);
         EXPECT_GT(jump.points, 2 * n);
         EXPECT_LT(jump.position, 1e-13);
         EXPECT_LT(jump.normal, 1e-11);
@@ -193,9 +202,11 @@ TEST(FilledHoles, leave_the_vertices_of_the_cage_where_they_are) {
         ++moved;
       }
     }
-    EXPECT_GT(moved, 0);
-    if (level > 0) continue;
-    EXPECT_EQ(actual.topRows(shape.vertices.rows()), shape.vertices) << "all that the file has, to the last bit";
+    if (level == 0) {
+      EXPECT_EQ(actual.topRows(shape.vertices.rows()), shape.vertices) << "all that the file has, to the last bit";
+    } else {
+      EXPECT_GT(moved, 0);
+    }
   }
 }
 
