@@ -7,7 +7,6 @@
 #include <map>
 #include <numbers>
 #include <tuple>
-#include <tuple>
 #include <utility>
 
 #include "driver/run.h"
