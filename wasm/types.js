@@ -48,6 +48,13 @@
  */
 
 /**
+ * Boundaries of the cage to be closed with quads.
+ * @typedef {object} Fill
+ * @property {number[]} [loops] numbers of boundaries, from 1; default all
+ * @property {number[]} [corners] numbers of vertices that are to be corners of patches of quads
+ */
+
+/**
  * Faces of the cage: those of some groups of its file, and some by their numbers, from 1.
  * @typedef {{groups?: string[], faces?: number[]}} FaceSelection
  *
@@ -63,17 +70,27 @@
  */
 
 /**
+ * What is held at boundaries.
+ * @typedef {'free' | 'position' | 'tangent' | 'curvature'} BoundaryCondition
+ * @typedef {{condition?: BoundaryCondition, loops?: {loop: number, from?: number, to?: number, condition: BoundaryCondition}[]}} BoundaryConditions
+ */
+
+/**
  * What the surface must keep. At most one of `hold` and `free` is given.
  * @typedef {object} Constraints
  * @property {FaceSelection} [hold] faces whose surface stays that of the cage
  * @property {FaceSelection} [free] the only faces whose surface may move
  * @property {Pin[]} [pins]
+ * @property {{weight: number} | {within: number}} [closeness] how near the surface stays to the cage's own
+ * @property {BoundaryConditions} [boundary] of open surfaces; by default tangents are held everywhere
  */
 
 /**
  * @typedef {object} Problem
  * @property {CageInput} cage
  * @property {Terms} terms
+ * @property {Fill} [fill] unless the constraints say what is held, everything is that neither fills nor touches
+ *   a boundary
  * @property {Constraints} [constraints] by default nothing is held
  * @property {Options} [options]
  * @property {SurfaceState} [start] the surface from which the run starts; by default that of the cage

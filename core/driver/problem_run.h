@@ -13,8 +13,8 @@
 namespace umbilic {
 
 struct ProblemRun {
-  Problem problem;
-  CageReport cage;
+  Problem problem;  ///< with what is held on account of its fill
+  CageReport cage;  ///< of the cage after filling
   Run run;
   std::vector<FaceGroup> groups{};  ///< of the cage
 
@@ -22,7 +22,7 @@ struct ProblemRun {
   Report report() const;
 };
 
-/// Fails if the cage cannot be made (problem/cage_of.h) or the points of `start` do not fit it, and as `Run::create`.
+/// Fails if the cage cannot be made (problem/run_cage.h) or the points of `start` do not fit it, and as `Run::create`.
 Result<ProblemRun> begin_run(Problem problem);
 
 }  // namespace umbilic

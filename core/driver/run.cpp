@@ -12,6 +12,7 @@
 #include <optional>
 #include <tuple>
 
+#include "driver/closeness_search.h"
 #include "driver/constraints_report.h"
 #include "driver/equations.h"
 #include "driver/extrapolate.h"
@@ -52,14 +53,16 @@ struct Run::State {
   Progress progress;
   double level_seconds = 0;
   bool cancelled = false;
-  HeldRegions held_regions;                      // of the cage
+  HeldRegions held_regions;      // of the cage
+  std::optional<double> within;  // the largest deviation that is allowed, in unit coordinates
+  std::optional<ClosenessSearch> search;
   std::optional<double> fixed_area;              // see Surface
   mutable std::optional<EnergyReport> energies;  // cached for the current best surface
   mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
   LevelOptions level_options() const {
     LevelOptions next{options.cap, options.weights, options.max_iterations, options.tolerance, options.metric};
-    if (!levels.empty()) next.energy_before = levels.back().energy_reported;
+    if (!levels.empty() && !within) next.energy_before = levels.back().energy_reported;
     next.fixed_area = fixed_area;
     return next;
   }
@@ -94,6 +97,8 @@ struct Run::State {
       const Result<EvaluationReport> evaluation = evaluate(control_mesh(), options.cap, 0);
       written = evaluation ? evaluation->energies : exact;
       written->quadrature_error = exact.quadrature_error;
+      written->free = exact.free;
+      written->closeness = exact.closeness;
     }
     return *written;
   }
@@ -123,6 +128,10 @@ struct Run::State {
         const bool stays = progress.energy == before || (std::isnan(progress.energy) && std::isnan(before));
         if (!stays) energies.reset();
         if (auto thicker = level->with_thicker_start()) replace_level(std::move(thicker));
+        if (ended && search && !cancelled && !search->accepts(largest_deviation(level->surface(), level->best()))) {
+          replace_level(level->with_closeness(search->weight()));
+          break;
+        }
         if (level->should_check_rule() && level->needs_finer_rule(report_energies()))
           replace_level(level->with_finer_rule());
         break;
@@ -130,6 +139,16 @@ struct Run::State {
       case Phase::kReport: end_level(); break;
       case Phase::kDone: break;
     }
+  }
+
+  /// Begins with a weight by which a deviation of half the bound everywhere costs a tenth of the start's energy.
+  void begin_search(double bound) {
+    const Surface& surface = level->surface();
+    within = std::ldexp(bound, -surface.placement().exponent);
+    const EnergyValue start = surface.energy().evaluate(surface.start(), nullptr);
+    const double half = *within / 2, weight = 0.1 * std::max(start.energy, kEnergyFloor) / (start.area * half * half);
+    search.emplace(*within, std::isfinite(weight) && weight > 0 ? weight : 1);
+    level = level->with_closeness(search->weight());
   }
 
   void replace_level(std::unique_ptr<Level> other) {
@@ -144,7 +163,7 @@ struct Run::State {
     levels.push_back(level->report(report_of_ended));
     progress.ended_levels = static_cast<int>(levels.size());
     const LevelReport& report = levels.back();
-    if (report.evaluable) {
+    if (report.evaluable && !within) {
       const bool minimized =
           (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
       const double left = options.tolerance * std::max(report.energy_reported, kEnergyFloor);
@@ -156,7 +175,8 @@ struct Run::State {
     std::optional<RefinedCage> finer;
     if (!last) finer = refine(level->best_cage(), 1);
     EndedLevel ended{std::move(level), report, report_of_ended};
-    if (!best || ended.rank() <= best->rank()) {
+    // Levels with different weights do not compare: the last one is the result.
+    if (!best || within || ended.rank() <= best->rank()) {
       best = std::move(ended);
       result = levels.size() - 1;
     }
@@ -167,6 +187,7 @@ struct Run::State {
       progress.phase = Phase::kDone;
       update_progress();
     } else {
+      if (search) search.emplace(*within, search->weight());
       replace_level(std::make_unique<Level>(*finer, std::max(finer->level, required_level), level_options()));
     }
   }
@@ -193,6 +214,10 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
   Error error;
   if (!in_range(options, error)) return error;
   if (start && !in_range(*start, error)) return Error{"start." + error.message};
+  if (!in_range(constraints, error)) return Error{"constraints." + error.message};
+  if (constraints.closeness && options.cap == CapKind::kFlat) {
+    return Error{"constraints.closeness: caps flat are not linear in the control points; use smooth or none"};
+  }
   Result<RefinedCage> prepared =
       prepare(cage, std::max(options.last_level, start ? start->level : 0), options.symmetry || start, constraints);
   if (!prepared) return prepared.error();
@@ -219,6 +244,7 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
     first.control = moved_to_equations(first, coordinates);
   }
   state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
+  if (constraints.closeness && constraints.closeness->within) state->begin_search(*constraints.closeness->within);
   state->update_progress();
   return Run(std::move(state));
 }
@@ -275,7 +301,11 @@ LimitReport Run::limit() const {
 std::optional<ConstraintsReport> Run::constraints() const {
   const Surface& surface = state_->level->surface();
   if (!surface.cage().is_constrained()) return std::nullopt;
-  return constraints_report(surface, state_->level->best(), state_->held_regions);
+  ConstraintsReport report = constraints_report(surface, state_->level->best(), state_->held_regions);
+  if (state_->search && !state_->search->binds()) {
+    report.notes.push_back("the surface stays within the distance by itself: nothing pulls it");
+  }
+  return report;
 }
 
 Result<Certificate> Run::certify() const {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <tuple>
+#include <tuple>
 #include <utility>
 
 #include "driver/run.h"
