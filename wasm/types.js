@@ -23,7 +23,13 @@
  * @property {number} [thickness] of the arms or the tube, relative to the default
  * @property {number} [spread] for frames with two junctions: distance of the arms from the axis
  * @property {number} [ratio] for the torus: minor radius / major radius
- * @property {[number, number]} [segments] for the torus: number around the axis and around the tube
+ * @property {[number, number]} [segments] for the torus: number around the axis and around the tube; for open cages: around
+ *   each boundary (of n-sided along each side), and across
+ * @property {number} [radius] of the disk, the cylinder and the sphere of spherical-cap; to the corners of n-sided
+ * @property {number} [half_angle] of spherical-cap: degrees from the pole to the boundary
+ * @property {number} [height] of the cylinder and the catenoid, from boundary to boundary
+ * @property {number} [waist] of the catenoid: its smallest radius
+ * @property {number} [sides] of n-sided
  */
 
 /** The text of an OBJ or OFF file. @typedef {{name?: string, text: string | Uint8Array}} CageText */
@@ -47,11 +53,41 @@
  * @typedef {{level: number, points: Float64Array | number[]}} SurfaceState
  */
 
+/** Faces by the names of their groups in the file, and by their numbers from 1. @typedef {{groups?: string[], faces?: number[]}} FaceSelection */
+
+/**
+ * What is held of one point of the surface, at a vertex or in a face, which are numbered from 1; see core/problem/pin.h.
+ * @typedef {object} Pin
+ * @property {number} [vertex]
+ * @property {number} [face] instead of a vertex
+ * @property {number} [corner] of a face that is no quad: in the quad around this corner
+ * @property {[number, number]} [uv] where in the face
+ * @property {(number | null)[]} [at] where the point lies; null leaves a coordinate free. Where it is, unless given
+ * @property {boolean} [position] whether the point is held; default true
+ * @property {boolean | [number, number, number]} [normal] true keeps the surface's own
+ */
+
+/** What is held at a boundary, each with all that the one before it holds. @typedef {'free'|'position'|'tangent'|'curvature'} BoundaryCondition */
+
+/**
+ * The condition of one loop of the boundary, numbered from 1 as in `CageReport`; or of the stretch of it between two
+ * vertices, with the surface on its left.
+ * @typedef {{loop: number, from?: number, to?: number, condition: BoundaryCondition}} LoopCondition
+ */
+
+/**
+ * @typedef {object} Constraints
+ * @property {FaceSelection} [hold] faces whose surface stays as it is in the cage
+ * @property {FaceSelection} [free] the only faces whose surface may move; not together with `hold`
+ * @property {Pin[]} [pins]
+ * @property {{condition?: BoundaryCondition, loops?: LoopCondition[]}} [boundary] of an open surface; by default 'tangent'
+ */
+
 /**
  * @typedef {object} Problem
  * @property {CageInput} cage
  * @property {Terms} terms
- * @property {{}} [constraints] there are none yet
+ * @property {Constraints} [constraints]
  * @property {Options} [options]
  * @property {SurfaceState} [start] the surface from which the run starts; by default that of the cage
  */
@@ -128,9 +164,34 @@
  * A quantity is NaN if it diverges. `resolved` is false if the samples miss some curvature, so that Gauss-Bonnet fails.
  * `below_bound` is true if an energy is below what any closed surface of the genus has. `embedded` is true if the Willmore
  * energy proves that the surface does not touch itself. `input_rounding`, only for a cage far from the origin, is the largest
- * relative change of each functional that the rounding of the coordinates can cause.
+ * relative change of each functional that the rounding of the coordinates can cause. `boundary_turning`, only of an open
+ * surface, is how much its boundary turns, with its corners. `free`, only where faces or the size are held, is what is
+ * minimized: the energies over the free faces, where functionals of third order have the constant factor `area_factor`.
  * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number> & {resolved: boolean, below_bound: boolean,
- *   embedded: boolean, input_rounding?: Record<FunctionalName, number>}} Energies
+ *   embedded: boolean, input_rounding?: Record<FunctionalName, number>, boundary_turning?: number,
+ *   free?: Record<FunctionalName | 'area' | 'area_factor', number>}} Energies
+ */
+
+/**
+ * How strongly something held is pulled, in energy per length: the derivative of the minimal energy by its position. Moved
+ * against `pull`, the energy falls.
+ * @typedef {{pull: [number, number, number], strength: number}} Pull
+ * A pin by its number from 1. `off_surface` is the distance of its point from the surface, whose caps let go of it a little;
+ * `turned_over` is true if the surface has its inside where the held normal points.
+ * @typedef {Pull & {pin: number, position: [number, number, number], off_surface: number, turned_over: boolean}} PinReport
+ * Held faces that hang together; `first_face` counts from 1.
+ * @typedef {Pull & {faces: number, first_face: number}} HeldRegionReport
+ */
+
+/**
+ * What the constraints of a run do to its best surface.
+ * @typedef {object} ConstraintsReport
+ * @property {number} held_faces of the cage
+ * @property {number} free_faces
+ * @property {number} deviation largest distance from the cage's own surface, between points with the same parameters
+ * @property {HeldRegionReport[]} regions
+ * @property {PinReport[]} pins
+ * @property {string[]} notes what else a user should know, a sentence each
  */
 
 /**
@@ -158,6 +219,7 @@
  * @property {LevelReport[]} levels
  * @property {Limit} limit
  * @property {Energies} energies
+ * @property {ConstraintsReport} [constraints] where something is held, or the surface is open
  * @property {CertificateReport} [certificate]
  * @property {SurfaceState} surface
  */

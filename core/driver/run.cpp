@@ -264,7 +264,12 @@ LimitReport Run::limit() const {
 std::optional<ConstraintsReport> Run::constraints() const {
   const Surface& surface = state_->level->surface();
   if (!surface.cage().is_constrained()) return std::nullopt;
-  return constraints_report(surface, state_->level->best(), state_->held_regions);
+  ConstraintsReport report = constraints_report(surface, state_->level->best(), state_->held_regions);
+  if (state_->level->unknowns() == 0) {
+    report.notes.push_back(fmt::format("on level {} nothing can move: what is held determines all control points",
+                                       state_->level->number()));
+  }
+  return report;
 }
 
 Result<Certificate> Run::certify() const {

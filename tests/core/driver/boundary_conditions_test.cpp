@@ -144,7 +144,9 @@ TEST(BoundaryConditions, of_curvature_find_the_sphere_for_mvs_cross) {
     Cage cage = *generate_cage("spherical-cap", options);
     const umbilic::Run run = finished(cage, "mvs_cross", 0, at_boundary(BoundaryCondition::kCurvature), 1e-6);
     const double floor = run.result().energy_reported;
-    if (before > 0) EXPECT_LT(floor, before / 4);
+    if (before > 0) {
+      EXPECT_LT(floor, before / 4);
+    }
     before = floor;
   }
 }
