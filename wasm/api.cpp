@@ -88,7 +88,7 @@ umbilic_status umbilic_cage_counts(const umbilic_cage* cage, umbilic_text* count
 umbilic_status umbilic_cage_mesh(const umbilic_cage* cage, umbilic_mesh** out) {
   return guarded([&] {
     if (!all_given(cage, out)) return UMBILIC_BAD_ARGUMENT;
-    hand_out(cage->cage, out);
+    hand_out(cage->cage, {}, out);
     return UMBILIC_OK;
   });
 }
@@ -114,15 +114,11 @@ umbilic_status umbilic_mesh_view(const umbilic_mesh* mesh, umbilic_mesh_arrays* 
   return guarded([&] {
     if (!all_given(mesh, arrays)) return UMBILIC_BAD_ARGUMENT;
     const DrawableMesh& drawn = mesh->drawable;
-    *arrays = {data_or_null(drawn.positions),
-               data_or_null(drawn.normals),
-               data_or_null(drawn.curvatures),
-               data_or_null(drawn.triangles),
-               data_or_null(drawn.edges),
-               drawn.positions.size() / 3,
-               drawn.triangles.size() / 3,
-               drawn.edges.size() / 2,
-               {drawn.centre.x(), drawn.centre.y(), drawn.centre.z()}};
+    *arrays = {data_or_null(drawn.positions),  data_or_null(drawn.normals),
+               data_or_null(drawn.curvatures), data_or_null(drawn.triangles),
+               data_or_null(drawn.faces),      data_or_null(drawn.edges),
+               drawn.positions.size() / 3,     drawn.triangles.size() / 3,
+               drawn.edges.size() / 2,         {drawn.centre.x(), drawn.centre.y(), drawn.centre.z()}};
     return UMBILIC_OK;
   });
 }

@@ -29,7 +29,7 @@
 #include <stdint.h>
 
 /** Increases when the meaning of a function or struct in this file changes. */
-#define UMBILIC_API_VERSION 2
+#define UMBILIC_API_VERSION 3
 
 /** Length of the longest text that is read, in bytes. */
 #define UMBILIC_MAX_TEXT 268435456
@@ -129,7 +129,8 @@ typedef enum umbilic_part {
   UMBILIC_PART_GROUP = 3,
   UMBILIC_PART_LEVELS = 4,
   UMBILIC_PART_LIMIT = 5,
-  UMBILIC_PART_ENERGIES = 6 /* takes several times as long as a step, once for each surface */
+  UMBILIC_PART_ENERGIES = 6, /* takes several times as long as a step, once for each surface */
+  UMBILIC_PART_GROUPS = 7    /* in no report: the cage's groups, [{"name": …, "faces": [numbers from 1]}, …] */
 } umbilic_part;
 
 /** `part` is an umbilic_part, as an integer so that any other value can be told. */
@@ -183,6 +184,7 @@ typedef struct umbilic_mesh_arrays {
   const float* normals;      /* 3 per vertex; null for control meshes */
   const float* curvatures;   /* kappa1 >= kappa2 per vertex; null for control meshes */
   const uint32_t* triangles; /* 3 per triangle */
+  const uint32_t* faces;     /* of each triangle: the face of the cage that it descends from, from 0 */
   const uint32_t* edges;     /* 2 per edge, each edge once; null for limit meshes */
   size_t vertex_count;
   size_t triangle_count;

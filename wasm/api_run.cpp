@@ -3,6 +3,9 @@
 /// Runs and certificates.
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 #include "driver/surface.h"
 #include "problem/text.h"
 #include "wasm/api.h"
@@ -13,6 +16,27 @@ using namespace umbilic;
 using namespace umbilic::api;
 
 namespace {
+
+/// A group with the numbers of its faces, from 1.
+struct NumberedGroup {
+  std::string name;
+  std::vector<int> faces;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("name", self.name);
+    visit("faces", self.faces);
+  }
+};
+
+std::vector<NumberedGroup> numbered(const std::vector<FaceGroup>& groups) {
+  std::vector<NumberedGroup> result;
+  for (const FaceGroup& group : groups) {
+    result.push_back({group.name, group.faces});
+    for (int& face : result.back().faces) ++face;
+  }
+  return result;
+}
 
 /// Replaces the points of the problem.
 umbilic_status take_points(Problem& problem, const double* points, size_t count) {
@@ -96,6 +120,7 @@ umbilic_status umbilic_run_part(const umbilic_run* handle, int32_t part, umbilic
       case UMBILIC_PART_LEVELS: return answer(json_text(run.levels()), text);
       case UMBILIC_PART_LIMIT: return answer(json_text(run.limit()), text);
       case UMBILIC_PART_ENERGIES: return answer(json_text(run.energies()), text);
+      case UMBILIC_PART_GROUPS: return answer(json_text(numbered(handle->run.groups)), text);
     }
     return fail(UMBILIC_BAD_ARGUMENT, fmt::format("a run has no part {}", part));
   });
@@ -127,7 +152,7 @@ umbilic_status umbilic_run_state(umbilic_run* run, int32_t* level, const double*
 umbilic_status umbilic_run_control_mesh(const umbilic_run* run, umbilic_mesh** out) {
   return guarded([&] {
     if (!all_given(run, out) || !usable(*run)) return UMBILIC_BAD_ARGUMENT;
-    hand_out(run->run.run.control_mesh(), out);
+    hand_out(run->run.run.control_mesh(), run->run.run.cage_faces(), out);
     return UMBILIC_OK;
   });
 }

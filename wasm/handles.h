@@ -33,8 +33,8 @@ struct umbilic_mesh {
 namespace umbilic::api {
 
 /// Returns new handles to the caller.
-inline void hand_out(Cage cage, umbilic_mesh** out) {
-  DrawableMesh drawn = drawable(cage);
+inline void hand_out(Cage cage, const std::vector<int>& cage_faces, umbilic_mesh** out) {
+  DrawableMesh drawn = drawable(cage, cage_faces);
   *out = new umbilic_mesh{std::move(cage), {}, std::move(drawn)};
 }
 inline void hand_out(LimitMesh limit, umbilic_mesh** out) {

@@ -16,9 +16,9 @@ export class InputError extends Error {
 }
 
 /** UMBILIC_API_VERSION of the contract for which this file was written. */
-const API_VERSION = 2;
+const API_VERSION = 3;
 
-/** Size of the buffer for a call's results; the largest is umbilic_mesh_arrays, eight words of 32 bits. */
+/** Size of the buffer for a call's results; the largest is umbilic_mesh_arrays, nine words of 32 bits and three doubles. */
 const SCRATCH_BYTES = 128;
 
 const wasmUrl = new URL('../build/wasm/umbilic-core.wasm', import.meta.url);
@@ -217,7 +217,8 @@ export function stateOf(run) {
 export function copyMesh(mesh) {
   call('mesh_view', mesh, scratch);
   // The order of the members of umbilic_mesh_arrays.
-  const [positions, normals, curvatures, triangles, edges, vertexCount, triangleCount, edgeCount] = handedBack(8);
+  const [positions, normals, curvatures, triangles, faces, edges, vertexCount, triangleCount, edgeCount] =
+    handedBack(9);
   /** @param {number} pointer @param {number} count */
   const floats = (pointer, count) =>
     pointer ? core().HEAPF32.slice(pointer >>> 2, (pointer >>> 2) + count) : new Float32Array(0);
@@ -225,11 +226,12 @@ export function copyMesh(mesh) {
   const indices = (pointer, count) =>
     pointer ? core().HEAPU32.slice(pointer >>> 2, (pointer >>> 2) + count) : new Uint32Array(0);
   return {
-    centre: core().HEAPF64.slice((scratch + 32) >>> 3, (scratch + 56) >>> 3),
+    centre: core().HEAPF64.slice((scratch + 40) >>> 3, (scratch + 64) >>> 3),
     positions: floats(positions, 3 * vertexCount),
     normals: floats(normals, 3 * vertexCount),
     curvatures: floats(curvatures, 2 * vertexCount),
     triangles: indices(triangles, 3 * triangleCount),
+    faces: indices(faces, triangleCount),
     edges: indices(edges, 2 * edgeCount),
   };
 }

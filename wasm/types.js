@@ -23,13 +23,7 @@
  * @property {number} [thickness] of the arms or the tube, relative to the default
  * @property {number} [spread] for frames with two junctions: distance of the arms from the axis
  * @property {number} [ratio] for the torus: minor radius / major radius
- * @property {[number, number]} [segments] for the torus: number around the axis and around the tube; for open cages: around
- *   each boundary (of n-sided along each side), and across
- * @property {number} [radius] of the disk, the cylinder and the sphere of spherical-cap; to the corners of n-sided
- * @property {number} [half_angle] of spherical-cap: degrees from the pole to the boundary
- * @property {number} [height] of the cylinder and the catenoid, from boundary to boundary
- * @property {number} [waist] of the catenoid: its smallest radius
- * @property {number} [sides] of n-sided
+ * @property {[number, number]} [segments] for the torus: number around the axis and around the tube
  */
 
 /** The text of an OBJ or OFF file. @typedef {{name?: string, text: string | Uint8Array}} CageText */
@@ -53,41 +47,51 @@
  * @typedef {{level: number, points: Float64Array | number[]}} SurfaceState
  */
 
-/** Faces by the names of their groups in the file, and by their numbers from 1. @typedef {{groups?: string[], faces?: number[]}} FaceSelection */
+/**
+ * Boundaries of the cage to be closed with quads.
+ * @typedef {object} Fill
+ * @property {number[]} [loops] numbers of boundaries, from 1; default all
+ * @property {number[]} [corners] numbers of vertices that are to be corners of patches of quads
+ */
 
 /**
- * What is held of one point of the surface, at a vertex or in a face, which are numbered from 1; see core/problem/pin.h.
+ * Faces of the cage: those of some groups of its file, and some by their numbers, from 1.
+ * @typedef {{groups?: string[], faces?: number[]}} FaceSelection
+ *
+ * A point of the surface that is held, at a vertex of the cage or in a face; see core/problem/pin.h.
  * @typedef {object} Pin
- * @property {number} [vertex]
- * @property {number} [face] instead of a vertex
- * @property {number} [corner] of a face that is no quad: in the quad around this corner
+ * @property {number} [vertex] its number, from 1
+ * @property {number} [face] its number, from 1
+ * @property {number} [corner] of a face that is no quad, from 1
  * @property {[number, number]} [uv] where in the face
- * @property {(number | null)[]} [at] where the point lies; null leaves a coordinate free. Where it is, unless given
+ * @property {[number, number, number]} [at] where the point lies; NaN leaves a coordinate free
  * @property {boolean} [position] whether the point is held; default true
- * @property {boolean | [number, number, number]} [normal] true keeps the surface's own
- */
-
-/** What is held at a boundary, each with all that the one before it holds. @typedef {'free'|'position'|'tangent'|'curvature'} BoundaryCondition */
-
-/**
- * The condition of one loop of the boundary, numbered from 1 as in `CageReport`; or of the stretch of it between two
- * vertices, with the surface on its left.
- * @typedef {{loop: number, from?: number, to?: number, condition: BoundaryCondition}} LoopCondition
+ * @property {boolean | [number, number, number]} [normal] the surface's normal there
  */
 
 /**
+ * What is held at boundaries.
+ * @typedef {'free' | 'position' | 'tangent' | 'curvature'} BoundaryCondition
+ * @typedef {{condition?: BoundaryCondition, loops?: {loop: number, from?: number, to?: number, condition: BoundaryCondition}[]}} BoundaryConditions
+ */
+
+/**
+ * What the surface must keep. At most one of `hold` and `free` is given.
  * @typedef {object} Constraints
- * @property {FaceSelection} [hold] faces whose surface stays as it is in the cage
- * @property {FaceSelection} [free] the only faces whose surface may move; not together with `hold`
+ * @property {FaceSelection} [hold] faces whose surface stays that of the cage
+ * @property {FaceSelection} [free] the only faces whose surface may move
  * @property {Pin[]} [pins]
- * @property {{condition?: BoundaryCondition, loops?: LoopCondition[]}} [boundary] of an open surface; by default 'tangent'
+ * @property {{weight: number} | {within: number}} [closeness] how near the surface stays to the cage's own
+ * @property {BoundaryConditions} [boundary] of open surfaces; by default tangents are held everywhere
  */
 
 /**
  * @typedef {object} Problem
  * @property {CageInput} cage
  * @property {Terms} terms
- * @property {Constraints} [constraints]
+ * @property {Fill} [fill] unless the constraints say what is held, everything is that neither fills nor touches
+ *   a boundary
+ * @property {Constraints} [constraints] by default nothing is held
  * @property {Options} [options]
  * @property {SurfaceState} [start] the surface from which the run starts; by default that of the cage
  */
@@ -164,34 +168,12 @@
  * A quantity is NaN if it diverges. `resolved` is false if the samples miss some curvature, so that Gauss-Bonnet fails.
  * `below_bound` is true if an energy is below what any closed surface of the genus has. `embedded` is true if the Willmore
  * energy proves that the surface does not touch itself. `input_rounding`, only for a cage far from the origin, is the largest
- * relative change of each functional that the rounding of the coordinates can cause. `boundary_turning`, only of an open
- * surface, is how much its boundary turns, with its corners. `free`, only where faces or the size are held, is what is
- * minimized: the energies over the free faces, where functionals of third order have the constant factor `area_factor`.
+ * relative change of each functional that the rounding of the coordinates can cause. `free`, only where faces are held, is what
+ * is minimized: the energies of the free faces, where third-order functionals have the constant factor `area_factor`.
+ * `boundary_turning`, only of an open surface, is how much its boundary turns, with its corners.
+ * @typedef {Record<FunctionalName | 'area' | 'area_factor', number>} FreeEnergies
  * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number> & {resolved: boolean, below_bound: boolean,
- *   embedded: boolean, input_rounding?: Record<FunctionalName, number>, boundary_turning?: number,
- *   free?: Record<FunctionalName | 'area' | 'area_factor', number>}} Energies
- */
-
-/**
- * How strongly something held is pulled, in energy per length: the derivative of the minimal energy by its position. Moved
- * against `pull`, the energy falls.
- * @typedef {{pull: [number, number, number], strength: number}} Pull
- * A pin by its number from 1. `off_surface` is the distance of its point from the surface, whose caps let go of it a little;
- * `turned_over` is true if the surface has its inside where the held normal points.
- * @typedef {Pull & {pin: number, position: [number, number, number], off_surface: number, turned_over: boolean}} PinReport
- * Held faces that hang together; `first_face` counts from 1.
- * @typedef {Pull & {faces: number, first_face: number}} HeldRegionReport
- */
-
-/**
- * What the constraints of a run do to its best surface.
- * @typedef {object} ConstraintsReport
- * @property {number} held_faces of the cage
- * @property {number} free_faces
- * @property {number} deviation largest distance from the cage's own surface, between points with the same parameters
- * @property {HeldRegionReport[]} regions
- * @property {PinReport[]} pins
- * @property {string[]} notes what else a user should know, a sentence each
+ *   embedded: boolean, input_rounding?: Record<FunctionalName, number>, free?: FreeEnergies, boundary_turning?: number}} Energies
  */
 
 /**
@@ -205,6 +187,9 @@
  * a mistake.
  * @typedef {CageCounts & {components: CageComponent[], boundaries: CageBoundary[], groups: {name: string, faces: number}[],
  *   repairs: string[], notes: string[]}} CageReport
+ *
+ * A group of faces of a cage's file, with their numbers from 1. A face may be in several groups.
+ * @typedef {{name: string, faces: number[]}} FaceGroup
  */
 
 /**
@@ -219,7 +204,6 @@
  * @property {LevelReport[]} levels
  * @property {Limit} limit
  * @property {Energies} energies
- * @property {ConstraintsReport} [constraints] where something is held, or the surface is open
  * @property {CertificateReport} [certificate]
  * @property {SurfaceState} surface
  */
@@ -240,6 +224,7 @@
  * @property {Float32Array} normals 3 per vertex
  * @property {Float32Array} curvatures 2 per vertex
  * @property {Uint32Array} triangles 3 per triangle
+ * @property {Uint32Array} faces of each triangle: the face of the cage that it descends from, from 0
  * @property {Uint32Array} edges 2 per edge, each edge once
  */
 

@@ -34,14 +34,14 @@ import {
 } from './memory.js';
 
 /**
- * @import {CageInput, CageReport, CertificateReport, Energies, FunctionalName, GeneratedCage, Group, LevelReport, Limit,
+ * @import {CageInput, CageReport, CertificateReport, Energies, FaceGroup, FunctionalName, GeneratedCage, Group, LevelReport, Limit,
  * Mesh, Problem, Progress, Report, Terms, TorusMinimizer} from './types.js'
  */
 
 export { InputError, load } from './memory.js';
 
 /** The values of umbilic_part in api.h. */
-const PARTS = { progress: 0, problem: 1, cage: 2, group: 3, levels: 4, limit: 5, energies: 6 };
+const PARTS = { progress: 0, problem: 1, cage: 2, group: 3, levels: 4, limit: 5, energies: 6, groups: 7 };
 
 /** @param {number} handle @param {string} type @returns {number} */
 function alive(handle, type) {
@@ -208,6 +208,11 @@ export class Minimizer {
   /** Counts of the cage's elements. @returns {CageReport} */
   get cage() {
     return this.#part('cage');
+  }
+
+  /** The groups of the cage's file, with the numbers of their faces from 1. @returns {FaceGroup[]} */
+  get groups() {
+    return this.#part('groups');
   }
 
   /** The symmetry that the run keeps. @returns {Group} */

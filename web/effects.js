@@ -94,7 +94,7 @@ export function createEffects({ client, save, load, setAddress }) {
       case 'answered':
         if (action.message.type === 'exported' && action.message.run === run) {
           const { what, text } = action.message;
-          save(fileName(after, what), text, what === 'report' ? 'application/json' : 'model/obj');
+          save(fileName(after, what), text, what === 'report' || what === 'problem' ? 'application/json' : 'model/obj');
         }
         break;
     }

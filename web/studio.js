@@ -14,6 +14,7 @@ import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
 import { createDropView, createFileTaker } from './views/drop.js';
 import { createEntryView } from './views/entry.js';
+import { createHeldKeyView, createHoldView } from './views/hold.js';
 import { createLegendView } from './views/legend.js';
 import { createLimitView } from './views/limit.js';
 import { createAlertView, createDownloadsView } from './views/notices.js';
@@ -67,6 +68,8 @@ let surface = null;
 const plain = [
   createEntryView(byId('entry'), dispatch),
   createCageView(byId('cage'), dispatch, takeFiles),
+  createHoldView(byId('hold'), dispatch),
+  createHeldKeyView(byId('held-key')),
   createObjectiveView(byId('objective'), dispatch),
   createRunView(byId('run'), dispatch),
   createPlotView(byId('plot')),

@@ -31,23 +31,14 @@ struct Task {
   Loop loop;
   std::vector<int> corners;
 
-  Error error(const std::string& what) const { return Error{fmt::format("loop {} {}", number + 1, what)}; }
+  Error error(const std::string& what) const { return Error{fmt::format("boundary {} {}", number + 1, what)}; }
 };
-
-/// The loops of the surface, around which there may be holes.
-std::vector<Loop> surface_loops(const Cage& cage) {
-  Cage surface{cage.vertices};
-  for (int f = 0; f < static_cast<int>(cage.faces.size()); ++f) {
-    if (!std::binary_search(cage.holes.begin(), cage.holes.end(), f)) surface.faces.push_back(cage.faces[f]);
-  }
-  return boundary_loops(surface);
-}
 
 /// Turns the loop, which keeps its first vertex, so that what is missing lies to its left.
 void turn(Loop& loop) { std::reverse(loop.begin() + 1, loop.end()); }
 
 Result<std::vector<int>> chosen_loops(const FillOptions& options, int count) {
-  if (count == 0) return Error{"the cage has no boundary to fill"};
+  if (count == 0) return Error{"the cage is closed, and has no boundary to fill"};
   std::vector<int> loops = options.loops;
   if (loops.empty()) {
     loops.resize(count);
@@ -56,9 +47,9 @@ Result<std::vector<int>> chosen_loops(const FillOptions& options, int count) {
   std::set<int> met;
   for (const int loop : loops) {
     if (loop < 0 || loop >= count) {
-      return Error{fmt::format("loop {} is not one of the cage's {} boundary loops", loop + 1, count)};
+      return Error{fmt::format("there is no boundary {}; the cage has {}", loop + 1, count)};
     }
-    if (!met.insert(loop).second) return Error{fmt::format("loop {} is to be filled twice", loop + 1)};
+    if (!met.insert(loop).second) return Error{fmt::format("boundary {} is to be filled twice", loop + 1)};
   }
   return loops;
 }
@@ -68,7 +59,7 @@ std::optional<Error> mark_corners(const FillOptions& options, std::vector<Task>&
   for (const FillCorners& marked : options.corners) {
     const auto task = std::find_if(tasks.begin(), tasks.end(), [&](const Task& t) { return t.number == marked.loop; });
     if (task == tasks.end()) {
-      return Error{fmt::format("loop {} has marked corners, but is not filled", marked.loop + 1)};
+      return Error{fmt::format("boundary {} has marked corners, but is not filled", marked.loop + 1)};
     }
     if (!task->corners.empty()) return task->error("has marked corners twice");
     task->corners = marked.vertices;
@@ -96,8 +87,13 @@ std::vector<int> corner_positions(const Task& task) {
 }
 
 /// Takes out the faces marked as holes that touch the loops, directly or by others, and the vertices that only they
-/// have.
-void open_holes(Cage& cage, std::vector<Task>& tasks) {
+/// have. Numbers what was there.
+void open_holes(FilledCage& filled, std::vector<Task>& tasks) {
+  Cage& cage = filled.cage;
+  filled.vertex_numbers.resize(cage.vertices.rows());
+  filled.face_numbers.resize(cage.faces.size());
+  std::iota(filled.vertex_numbers.begin(), filled.vertex_numbers.end(), 0);
+  std::iota(filled.face_numbers.begin(), filled.face_numbers.end(), 0);
   if (cage.holes.empty()) return;
   std::vector<bool> touched(cage.vertices.rows(), false), removed(cage.faces.size(), false);
   for (const Task& task : tasks) {
@@ -114,7 +110,9 @@ void open_holes(Cage& cage, std::vector<Task>& tasks) {
   }
 
   Cage kept;
-  std::vector<int> renumbered(cage.vertices.rows(), -1), new_face(cage.faces.size(), -1);
+  std::vector<int>&renumbered = filled.vertex_numbers, &new_face = filled.face_numbers;
+  std::fill(renumbered.begin(), renumbered.end(), -1);
+  std::fill(new_face.begin(), new_face.end(), -1);
   for (std::size_t f = 0; f < cage.faces.size(); ++f) {
     if (removed[f]) continue;
     new_face[f] = static_cast<int>(kept.faces.size());
@@ -196,9 +194,18 @@ std::vector<Vector3> points_of(const Cage& cage, const Loop& loop) {
   return points;
 }
 
+/// Of each face that was there the first of the quads that it becomes.
+void number_quads(FilledCage& filled) {
+  std::vector<int> first{0};
+  for (const std::vector<int>& face : filled.cage.faces) first.push_back(first.back() + static_cast<int>(face.size()));
+  for (int& number : filled.face_numbers) {
+    if (number >= 0) number = first[number];
+  }
+}
+
 /// The loop after a step of the cage, in which its vertices have kept their numbers.
 Loop refined_loop(const Loop& loop, const Cage& refined_cage) {
-  for (Loop& candidate : surface_loops(refined_cage)) {
+  for (Loop& candidate : surface_boundaries(refined_cage)) {
     if (std::find(candidate.begin(), candidate.end(), loop[0]) == candidate.end()) continue;
     turn(candidate);
     return candidate;
@@ -213,6 +220,15 @@ std::optional<FillPattern> pattern_of(const Task& task, const Cage& cage, const 
   return FillPattern{false, corner_positions(task)};
 }
 
+/// Why the cage must be refined for the loop, which has no pattern.
+std::string why_refined(const Task& task) {
+  if (task.loop.size() % 2 != 0) {
+    return fmt::format("boundary {} has {} vertices, and quads close only an even number", task.number + 1,
+                       task.loop.size());
+  }
+  return fmt::format("the quads within boundary {} would have no vertex inside to be shaped", task.number + 1);
+}
+
 /// Why the marked corners do not bound a patch.
 std::optional<Error> check_sides(const Task& task, const FillPattern& pattern) {
   const std::vector<int> sides = sides_between(pattern.corners, static_cast<int>(task.loop.size()));
@@ -225,13 +241,32 @@ std::optional<Error> check_sides(const Task& task, const FillPattern& pattern) {
   return task.error(fmt::format("has sides of {} edges between its corners, which no patch of quads has", numbers));
 }
 
-/// The first name fill-N from this number on that no group has.
+/// The first name fill-N from this number on that no group has, nor fill-N-rim.
 std::string free_name(const Cage& cage, int number) {
   for (;; ++number) {
-    std::string name = fmt::format("fill-{}", number);
-    const auto called = [&](const FaceGroup& group) { return group.name == name; };
+    std::string name = fmt::format("fill-{}", number), rim = name + "-rim";
+    const auto called = [&](const FaceGroup& group) { return group.name == name || group.name == rim; };
     if (std::none_of(cage.groups.begin(), cage.groups.end(), called)) return name;
   }
+}
+
+/// The faces that touch the loop.
+std::vector<int> faces_around(const Loop& loop, const Cage& cage) {
+  const std::set<int> vertices(loop.begin(), loop.end());
+  std::vector<int> faces;
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    const std::vector<int>& face = cage.faces[f];
+    if (std::any_of(face.begin(), face.end(), [&](int v) { return vertices.count(v) > 0; })) {
+      faces.push_back(static_cast<int>(f));
+    }
+  }
+  return faces;
+}
+
+/// Keeps the order of the groups, that of their first faces.
+void add_group(Cage& cage, FaceGroup group) {
+  const auto later = [&](const FaceGroup& other) { return other.faces.front() > group.faces.front(); };
+  cage.groups.insert(std::find_if(cage.groups.begin(), cage.groups.end(), later), std::move(group));
 }
 
 /// Adds the quads; the new vertices are smoothed.
@@ -240,7 +275,9 @@ Result<FilledLoop> add(const Task& task, const FillPattern& pattern, const Arriv
   FillQuads quads = fill_quads(points_of(cage, task.loop), pattern);
   smooth_fill(quads, along(task.loop, arrival.directions));
 
-  FilledLoop filled{task.number, {}, {}, free_name(cage, task.number + 1)};
+  FilledLoop filled{task.number, static_cast<int>(task.loop.size()), {}, {}, faces_around(task.loop, cage), "", ""};
+  filled.group = free_name(cage, task.number + 1);
+  filled.rim_group = filled.group + "-rim";
   std::vector<int> number = task.loop;
   const auto before = static_cast<int>(cage.vertices.rows());
   const auto added = static_cast<int>(quads.points.size()) - quads.loop;
@@ -254,7 +291,8 @@ Result<FilledLoop> add(const Task& task, const FillPattern& pattern, const Arriv
     filled.faces.push_back(static_cast<int>(cage.faces.size()));
     cage.faces.push_back({number[quad[0]], number[quad[1]], number[quad[2]], number[quad[3]]});
   }
-  cage.groups.push_back({filled.group, filled.faces});
+  add_group(cage, {filled.rim_group, filled.rim});
+  add_group(cage, {filled.group, filled.faces});
   return filled;
 }
 
@@ -271,8 +309,16 @@ std::optional<Error> check_edges(const Cage& cage) {
 
 }  // namespace
 
+std::vector<std::vector<int>> surface_boundaries(const Cage& cage) {
+  Cage surface{cage.vertices};
+  for (int f = 0; f < static_cast<int>(cage.faces.size()); ++f) {
+    if (!std::binary_search(cage.holes.begin(), cage.holes.end(), f)) surface.faces.push_back(cage.faces[f]);
+  }
+  return boundary_loops(surface);
+}
+
 Result<FilledCage> fill(const Cage& cage, const FillOptions& options) {
-  const std::vector<Loop> loops = surface_loops(cage);
+  const std::vector<Loop> loops = surface_boundaries(cage);
   const Result<std::vector<int>> chosen = chosen_loops(options, static_cast<int>(loops.size()));
   if (!chosen) return chosen.error();
   std::vector<Task> tasks;
@@ -286,8 +332,9 @@ Result<FilledCage> fill(const Cage& cage, const FillOptions& options) {
   }
   if (auto error = mark_corners(options, tasks)) return *error;
 
-  FilledCage result{cage, {}, false};
-  open_holes(result.cage, tasks);
+  FilledCage result;
+  result.cage = cage;
+  open_holes(result, tasks);
   const auto patterns_of = [&](const Arrival& arrival) {
     std::vector<std::optional<FillPattern>> patterns;
     for (const Task& task : tasks) patterns.push_back(pattern_of(task, result.cage, arrival));
@@ -295,8 +342,9 @@ Result<FilledCage> fill(const Cage& cage, const FillOptions& options) {
   };
   Arrival arrival(result.cage);
   std::vector<std::optional<FillPattern>> patterns = patterns_of(arrival);
-  if (!std::all_of(patterns.begin(), patterns.end(), [](const auto& pattern) { return pattern.has_value(); })) {
-    result.refined = true;
+  if (const auto none = std::find(patterns.begin(), patterns.end(), std::nullopt); none != patterns.end()) {
+    result.refined = why_refined(tasks[none - patterns.begin()]);
+    number_quads(result);
     result.cage = refined(result.cage);
     for (Task& task : tasks) task.loop = refined_loop(task.loop, result.cage);
     arrival = Arrival(result.cage);

@@ -10,8 +10,7 @@
 /// - Where 3 to 12 of the loop's vertices have three or more faces and divide the loop into sides that such a patch can
 ///   have, these are the corners. They end with one more face, and the others with two more: a hole from which the
 ///   faces around a vertex were taken gets them back, and an N-sided hole its vertex of valence N.
-/// - Elsewhere the loop is smooth, and a ring of quads as long as the loop comes first, so that the vertices of the
-/// loop
+/// - Elsewhere the loop is smooth, and a ring of quads as long as the loop comes first, so that the loop's vertices
 ///   become regular. The patch within has four corners where the loop's length is a multiple of 4, else five or three
 ///   if that divides it evenly, else four with sides that differ by one edge; they lie where the loop turns most.
 ///
@@ -23,6 +22,7 @@
 /// of the quads across the loop, are least in sum: the fill goes on in the direction in which the surface arrives.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,29 +38,41 @@ struct FillCorners {
 };
 
 struct FillOptions {
-  std::vector<int> loops{};            ///< zero-based, as `boundary_loops` numbers them; all if empty
+  std::vector<int> loops{};            ///< zero-based, of `surface_boundaries`; all if empty
   std::vector<FillCorners> corners{};  ///< at most one for each loop; without, they are chosen as above
 };
 
+/// `rim` are the faces around the loop that touch it. The surface over them depends on the new vertices; all others
+/// keep theirs.
 struct FilledLoop {
   int loop = 0;
+  int edges = 0;              ///< of the loop when it was filled
   std::vector<int> faces;     ///< new faces
   std::vector<int> vertices;  ///< new vertices
-  std::string group;          ///< name of the group of the new faces: fill-1, or the next that was not taken
+  std::vector<int> rim;
+  std::string group;      ///< name of the group of the new faces: fill-1, or the next that was not taken
+  std::string rim_group;  ///< the same with -rim
 };
 
 struct FilledCage {
   Cage cage;  ///< the faces and vertices that were there (or came of those by `refined`) come first, in their order
   std::vector<FilledLoop> loops;
-  bool refined = false;  ///< whether one Catmull-Clark step of the whole cage came first; see refine.h
+  /// If one Catmull-Clark step of the whole cage came first (see refine.h), why; else empty.
+  std::optional<std::string> refined;
+  std::vector<int> vertex_numbers;  ///< of each vertex that was there: its number in `cage`, or -1
+  std::vector<int> face_numbers;    ///< of each face that was there: the number of it or of its first quad, or -1
 };
 
 /// The longest loop that is filled; its 2701 vertices take a second or two.
 inline constexpr int kLongestFilledLoop = 200;
 
+/// The boundary loops of the surface of a validated cage, which faces marked as holes are not part of; as
+/// `boundary_loops`.
+std::vector<std::vector<int>> surface_boundaries(const Cage& cage);
+
 /// `cage` must have passed `validate`. Faces marked as holes that touch a filled loop, directly or by others, are taken
-/// out, and so are vertices that no other face uses. What is not filled keeps its groups. Errors name the loop, and
-/// number loops and vertices from 1.
+/// out, and so are vertices that no other face uses. What is not filled keeps its groups. Errors name the loop as a
+/// boundary, and number boundaries and vertices from 1.
 Result<FilledCage> fill(const Cage& cage, const FillOptions& options = {});
 
 }  // namespace umbilic

@@ -11,7 +11,7 @@ namespace umbilic {
 namespace {
 
 /// Of unit coordinates about the origin.
-constexpr double kLargest = 8;
+constexpr double kLargestCentred = 8;
 
 /// x + by, but -0 stays what it is where nothing is added.
 double moved(double x, double by) { return by == 0 ? x : x + by; }
@@ -62,7 +62,7 @@ Placement placement_of(const Vector3& low, const Vector3& high) {
   Placement placement;
   placement.exponent = std::ilogb(half);
   const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-  if (std::ldexp(largest, -placement.exponent) < kLargest) return placement;
+  if (std::ldexp(largest, -placement.exponent) < kLargestCentred) return placement;
   const int quarter = placement.exponent - 1;
   for (int axis = 0; axis < 3; ++axis) {
     const double middle = low[axis] / 2 + high[axis] / 2;

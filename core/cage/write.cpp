@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cassert>
-#include <iterator>
 
 namespace umbilic {
 
@@ -14,7 +13,7 @@ namespace {
 
 void append_rows(std::string& out, const char* keyword, const Points& rows) {
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    fmt::format_to(std::back_inserter(out), "{} {} {} {}\n", keyword, rows(i, 0), rows(i, 1), rows(i, 2));
+    out += fmt::format("{} {} {} {}\n", keyword, rows(i, 0), rows(i, 1), rows(i, 2));
   }
 }
 
@@ -54,7 +53,7 @@ std::string write_obj(const Cage& cage) {
   for (std::size_t f = 0; f < cage.faces.size(); ++f) {
     out += groups.before(f);
     out += 'f';
-    for (const int vertex : cage.faces[f]) fmt::format_to(std::back_inserter(out), " {}", vertex + 1);
+    for (const int vertex : cage.faces[f]) out += fmt::format(" {}", vertex + 1);
     out += '\n';
   }
   return out;
@@ -67,7 +66,7 @@ std::string write_obj(const Points& positions, const Points& normals, const std:
   append_rows(out, "vn", normals);
   for (const std::array<int, 4>& quad : quads) {
     out += 'f';
-    for (const int vertex : quad) fmt::format_to(std::back_inserter(out), " {0}//{0}", vertex + 1);
+    for (const int vertex : quad) out += fmt::format(" {0}//{0}", vertex + 1);
     out += '\n';
   }
   return out;

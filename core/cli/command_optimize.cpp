@@ -187,7 +187,7 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("INPUT", arguments->input,
                    "A problem, or a report to go on from (JSON); or an OBJ or OFF file of a\n"
-                   "polygon mesh, closed or with boundaries; or - for standard input")
+                   "polygon mesh, closed or open; or - for standard input")
       ->type_name("");
   add_problem_options(*command, std::shared_ptr<ProblemChanges>(arguments, &arguments->changes));
   command->add_flag("--print-problem", arguments->print_problem, "Print the problem that these options ask, and exit");

@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cage/text.h"
 #include "cli/arguments.h"
@@ -16,9 +18,17 @@ namespace umbilic::cli {
 
 namespace {
 
+constexpr const char* kAll = "all";
+
 Result<double> parse_tolerance(const std::string& text) {
   const Result<double> number = parse_real(text);
   if (number && *number < 0) return Error{fmt::format("{} is negative", in_quotes(text))};
+  return number;
+}
+
+Result<double> parse_positive(const std::string& text) {
+  const Result<double> number = parse_real(text);
+  if (number && !(*number > 0)) return Error{fmt::format("{} is not a number > 0", in_quotes(text))};
   return number;
 }
 
@@ -88,6 +98,37 @@ void add_groups(CLI::App& command, const std::shared_ptr<ProblemChanges>& change
   command.add_option_function<std::vector<std::string>>(name, add, words)->type_name("GROUP")->expected(1)->take_all();
 }
 
+/// Numbers of boundaries separated by commas; none for all of them.
+Result<std::vector<int>> parse_loops(const std::string& text) {
+  std::vector<int> loops;
+  if (text == kAll) return loops;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    const Result<int> loop = parse_count(text.substr(begin, comma - begin), 1, std::numeric_limits<int>::max());
+    if (!loop) {
+      return Error{
+          fmt::format("{} is not all, nor numbers of boundaries as in 1,3 (where INPUT follows, write --fill=all)",
+                      in_quotes(text))};
+    }
+    loops.push_back(*loop);
+    begin = comma + 1;
+  }
+  return loops;
+}
+
+void add_fill(CLI::App& command, const std::shared_ptr<ProblemChanges>& changes) {
+  const auto set = [](Problem& problem, const std::vector<int>& loops) {
+    if (!problem.fill) problem.fill.emplace();
+    problem.fill->loops = loops;
+  };
+  add_change(command, changes, "--fill", "LOOPS",
+             "Close these boundaries with quads, numbered as `info` does (1,3), or all; what\n"
+             "neither fills nor touches them is held, unless --hold or --free say otherwise",
+             parse_loops, set)
+      ->expected(0, 1)
+      ->default_str(kAll);
+}
+
 }  // namespace
 
 void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges>& changes) {
@@ -142,11 +183,22 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
              parse_boundary, [](Problem& problem, BoundaryCondition condition) {
                problem.constraints.boundary = BoundaryConditions{condition, {}};
              });
+  add_change(command, changes, "--within", "DISTANCE",
+             "Pull the surface to the cage's own, as little as keeps every point within this distance of it",
+             parse_positive, [](Problem& problem, double distance) {
+               problem.constraints.closeness = Closeness{{}, distance};
+             });
+  add_change(command, changes, "--closeness", "W",
+             "Pull the surface to the cage's own with W * integral of |X - X0|^2 dA", parse_tolerance,
+             [](Problem& problem, double weight) {
+               problem.constraints.closeness = Closeness{weight, {}};
+             });
   add_groups(command, changes, "--hold",
              "Hold the faces of this group of the file: their surface stays; may be repeated",
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.hold; });
   add_groups(command, changes, "--free", "Let only the faces of this group move; may be repeated",
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.free; });
+  add_fill(command, changes);
 }
 
 }  // namespace umbilic::cli

@@ -127,6 +127,9 @@ std::string constraints_table(const ConstraintsReport& report) {
     if (pin.turned_over) text += fmt::format("warning: the surface at pin {} is inside out\n", pin.pin);
   }
   text += fmt::format("  largest deviation from the cage's own surface {:.6g}\n", report.deviation);
+  if (report.closeness) {
+    text += fmt::format("  pulled to the cage's own surface with weight {:.6g} per length^4\n", *report.closeness);
+  }
   for (const std::string& note : report.notes) text += fmt::format("note: {}\n", note);
   return text;
 }

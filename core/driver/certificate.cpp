@@ -64,7 +64,7 @@ struct Certificate::State {
         surface(cage, cap, weights, 0, fixed_area),
         unknowns(free_unknowns(cage, cap)),
         assembly(surface.layout(), unknowns, weights, minimizing_rule(cap, weights, quadrature), kUmbilicEta,
-                 fixed_area) {
+                 fixed_area, surface.closeness()) {
     report.level = cage.level;
     report.unknowns = unknowns.count();
     report.tau = kCertificateTau;

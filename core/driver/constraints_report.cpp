@@ -51,14 +51,6 @@ std::vector<Vector3> positions(const PatchLayout& layout, const Points& control)
   return result;
 }
 
-double largest_deviation(const Surface& surface, const Points& control) {
-  const std::vector<Vector3> now = positions(surface.layout(), control),
-                             own = positions(surface.layout(), surface.cage().own);
-  double largest = 0;
-  for (std::size_t i = 0; i < now.size(); ++i) largest = std::max(largest, (now[i] - own[i]).norm());
-  return largest;
-}
-
 /// The region of each held control point, -1 for the others: the one whose faces are nearest.
 std::vector<int> regions_of_points(const PolygonMesh& mesh, const HeldRegions& regions, const std::vector<bool>& held) {
   std::vector<int> result(mesh.vertex_count(), -1), reached = regions.of_face, queue;
@@ -109,6 +101,14 @@ Vector3 surface_point(const PatchLayout& layout, const Points& points, const Pol
 
 }  // namespace
 
+double largest_deviation(const Surface& surface, const Points& control) {
+  const std::vector<Vector3> now = positions(surface.layout(), control),
+                             own = positions(surface.layout(), surface.cage().own);
+  double largest = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) largest = std::max(largest, (now[i] - own[i]).norm());
+  return largest;
+}
+
 HeldRegions::HeldRegions(const PolygonMesh& mesh, const std::vector<bool>& held)
     : of_face(mesh.face_count(), -1), surface_faces(mesh.surface_face_count()) {
   if (held.empty()) return;
@@ -145,6 +145,7 @@ ConstraintsReport constraints_report(const Surface& surface, const Points& contr
     report.free_faces -= size;
   }
   report.deviation = std::ldexp(largest_deviation(surface, control), cage.placement.exponent);
+  if (cage.closeness) report.closeness = std::ldexp(*cage.closeness, -4 * cage.placement.exponent);
 
   const HeldPoints held = held_points(cage, cap);
   if (held.any()) {

@@ -25,6 +25,9 @@ struct HeldRegions {
   int count() const { return static_cast<int>(sizes.size()); }
 };
 
+/// The largest distance, in unit coordinates, between points of the free surface and the same points of the cage's own.
+double largest_deviation(const Surface& surface, const Points& control);
+
 /// Of the surface with these control points, whose mesh is refined from the cage of `regions`. The surface must be
 /// constrained.
 ConstraintsReport constraints_report(const Surface& surface, const Points& control, const HeldRegions& regions);

@@ -26,7 +26,7 @@ void place(const Points& points, DrawableMesh& mesh) {
 
 }  // namespace
 
-DrawableMesh drawable(const Cage& cage) {
+DrawableMesh drawable(const Cage& cage, const std::vector<int>& cage_faces) {
   DrawableMesh mesh;
   place(cage.vertices, mesh);
   const PolygonMesh connectivity(cage);
@@ -35,8 +35,10 @@ DrawableMesh drawable(const Cage& cage) {
     mesh.edges.push_back(connectivity.origin(h));
     mesh.edges.push_back(connectivity.target(h));
   }
-  for (const auto& face : cage.faces) {
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    const std::vector<int>& face = cage.faces[f];
     for (std::size_t i = 2; i < face.size(); ++i) {
+      mesh.faces.push_back(cage_faces.empty() ? static_cast<std::uint32_t>(f) : cage_faces[f]);
       for (const int corner : {face[0], face[i - 1], face[i]}) mesh.triangles.push_back(corner);
     }
   }
@@ -52,6 +54,9 @@ DrawableMesh drawable(const LimitMesh& limit) {
   for (const auto& [a, b, c, d] : limit.quads) {
     for (const int corner : {a, b, c, a, c, d}) mesh.triangles.push_back(corner);
   }
+  const std::size_t patches = limit.cage_faces.size(), each = patches == 0 ? 0 : 2 * limit.quads.size() / patches;
+  mesh.faces.reserve(each * patches);
+  for (const int face : limit.cage_faces) mesh.faces.insert(mesh.faces.end(), each, face);
   return mesh;
 }
 

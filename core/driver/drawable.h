@@ -18,11 +18,13 @@ struct DrawableMesh {
   std::vector<float> normals;            ///< 3 per vertex; none for a cage
   std::vector<float> curvatures;         ///< kappa1 >= kappa2 of each vertex; none for a cage
   std::vector<std::uint32_t> triangles;  ///< 3 per triangle
+  std::vector<std::uint32_t> faces;      ///< of each triangle: the face of the cage that it descends from, from 0
   std::vector<std::uint32_t> edges;      ///< 2 per edge, each edge once; none for a limit mesh
 };
 
-/// Each face as a fan of triangles.
-DrawableMesh drawable(const Cage& cage);
+/// Each face as a fan of triangles. `cage_faces` has the face of the cage that each face descends from; empty for a
+/// cage itself.
+DrawableMesh drawable(const Cage& cage, const std::vector<int>& cage_faces = {});
 
 /// Each quad as two triangles.
 DrawableMesh drawable(const LimitMesh& mesh);

@@ -122,7 +122,7 @@ Points moved_to_equations(const RefinedCage& cage, const Coordinates& coordinate
 }
 
 Eigen::MatrixXd free_gauge(const RefinedCage& cage, const Gauge& gauge) {
-  const bool nothing = !cage.held.empty() || holds_boundary(cage.boundary, cage.mesh);
+  const bool nothing = !cage.held.empty() || cage.closeness || holds_boundary(cage.boundary, cage.mesh);
   if (nothing || gauge.dimension() == 0) return Eigen::MatrixXd(cage.control.size(), 0);
   const Eigen::MatrixXd all = orthonormal_gauge(gauge, cage.control);
   if (cage.pins.empty()) return all;

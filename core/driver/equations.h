@@ -37,7 +37,7 @@ Points moved_to_equations(const RefinedCage& cage, const Coordinates& coordinate
 /// over the coordinates of all control points.
 Eigen::MatrixXd free_gauge(const RefinedCage& cage, const Gauge& gauge);
 
-/// Whether the constraints leave the size of the surface open.
+/// Whether the constraints leave the size of the surface open. (A pull to the cage's own surface does not.)
 bool leaves_size_open(const RefinedCage& cage);
 
 }  // namespace umbilic

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Looks up groups and faces, and compares held points with their images.
+/// Marks the faces, and compares held points with their images.
 #include "driver/held_faces.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
-#include "cage/text.h"
 #include "mesh/automorphism.h"
+#include "problem/face_selection.h"
 
 namespace umbilic {
 namespace {
@@ -18,37 +16,6 @@ constexpr double kSamePoint = 1e-12;
 
 /// The surface over a face of a cage depends on two rings of faces around it, where a cap at its rim counts.
 constexpr int kRings = 2;
-
-std::string known_groups(const Cage& cage) {
-  if (cage.groups.empty()) return "the cage has no groups";
-  std::string names;
-  for (const FaceGroup& group : cage.groups) names += (names.empty() ? "" : ", ") + in_quotes(group.name);
-  return "the cage has " + names;
-}
-
-/// Of each face: whether it is selected.
-Result<std::vector<bool>> selected(const Cage& cage, const FaceSelection& selection, std::string_view member) {
-  std::vector<bool> result(cage.faces.size(), false);
-  for (std::size_t i = 0; i < selection.groups.size(); ++i) {
-    const std::string& name = selection.groups[i];
-    const auto group =
-        std::find_if(cage.groups.begin(), cage.groups.end(), [&](const FaceGroup& g) { return g.name == name; });
-    if (group == cage.groups.end()) {
-      return Error{fmt::format("constraints.{}.groups[{}]: there is no group {}; {}", member, i, in_quotes(name),
-                               known_groups(cage))};
-    }
-    for (const int f : group->faces) result[f] = true;
-  }
-  for (std::size_t i = 0; i < selection.faces.size(); ++i) {
-    const int number = selection.faces[i];
-    if (number < 1 || number > static_cast<int>(cage.faces.size())) {
-      return Error{fmt::format("constraints.{}.faces[{}]: there is no face {}; the cage has {}, numbered from 1",
-                               member, i, number, cage.faces.size())};
-    }
-    result[number - 1] = true;
-  }
-  return result;
-}
 
 /// Of each vertex: whether it is within kRings rings of a held face or of a face at a held boundary.
 std::vector<bool> near_held(const std::vector<bool>& held, const std::vector<BoundaryCondition>& boundary,
@@ -77,7 +44,7 @@ Result<std::vector<bool>> held_faces(const Cage& cage, const Constraints& constr
   if (!constraints.holds_faces()) return std::vector<bool>();
   const bool holds = constraints.hold.has_value();
   Result<std::vector<bool>> faces =
-      holds ? selected(cage, *constraints.hold, "hold") : selected(cage, *constraints.free, "free");
+      holds ? selected_faces(cage, *constraints.hold, "hold") : selected_faces(cage, *constraints.free, "free");
   if (!faces) return faces.error();
   std::vector<bool> held = std::move(faces).value();
   if (!holds) held.flip();

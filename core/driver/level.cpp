@@ -59,6 +59,12 @@ MetricChoice choose(const LevelOptions& options, const Surface& surface, int unk
   return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
 }
 
+/// What is minimized, at the surface's start.
+double objective_value(const Surface& surface) {
+  const double energy = surface.energy().evaluate(surface.start(), nullptr).energy;
+  return energy + (surface.closeness() ? surface.closeness()->evaluate(surface.start(), nullptr) : 0);
+}
+
 /// Whether a reason says that there is little left to gain, which what cannot be the surface's energy says nothing of.
 bool claims_a_minimum(StopReason reason) {
   return reason == StopReason::kConverged || reason == StopReason::kRoundOff ||
@@ -126,8 +132,9 @@ void Level::start() {
 void Level::prepare() {
   std::function<double(const Points&)> turning;
   if (surface_.mesh().is_open()) turning = [this](const Points& control) { return surface_.turning(control); };
-  objective_ = std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.expected_gaussian(),
-                                                  surface_.start(), surface_.lower_bound(), std::move(turning));
+  objective_ =
+      std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.expected_gaussian(), surface_.start(),
+                                         surface_.lower_bound(), std::move(turning), surface_.closeness());
   if (!start_energy_) start_energy_ = objective_->start_energy();
   if (!start_is_in_question()) prepare_metric();
 }
@@ -154,11 +161,11 @@ void Level::prepare_metric() {
 
 void Level::make_metric() {
   if (metric_choice_ == MetricChoice::kSobolev) {
-    metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_, gauge_);
+    metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_, gauge_, surface_.closeness());
   } else {
     metric_ = std::make_unique<HessianMetric>(surface_.layout(), unknowns_, options_.weights,
                                               hessian_rule(options_.cap, options_.weights, options_.quadrature), gauge_,
-                                              options_.fixed_area);
+                                              options_.fixed_area, surface_.closeness());
   }
 }
 
@@ -279,6 +286,14 @@ std::unique_ptr<Level> Level::with_finer_rule() const {
   return level;
 }
 
+std::unique_ptr<Level> Level::with_closeness(double weight) const {
+  RefinedCage start = best_cage();
+  start.closeness = weight;
+  auto level = std::make_unique<Level>(std::move(start), surface_.level(), options_);
+  level->before_ = {iterations(), evaluations(), before_.metrics + metrics_, energy(), gradient_norm()};
+  return level;
+}
+
 std::unique_ptr<Level> Level::with_thicker_start() const {
   if (!thicker_) return nullptr;
   RefinedCage start = start_;
@@ -295,7 +310,7 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.patches = surface_.mesh().surface_face_count();
   report.unknowns = unknowns_.count();
   report.energy_reported = surface_.objective(energies);
-  report.energy = evaluated() ? lbfgs_->best_value() : surface_.energy().evaluate(surface_.start(), nullptr).energy;
+  report.energy = evaluated() ? lbfgs_->best_value() : objective_value(surface_);
   report.stop = StopReason::kCancelled;
   report.metric = metric_choice_;
   report.metrics = before_.metrics + metrics_;

@@ -57,6 +57,8 @@ class Level {
   bool needs_finer_rule(const EnergyReport& energies) const;
   /// A level that continues from the best surface, with rules one step finer.
   std::unique_ptr<Level> with_finer_rule() const;
+  /// A level that continues from the best surface, pulled to the cage's own with another weight.
+  std::unique_ptr<Level> with_closeness(double weight) const;
   /// The level with a thicker start, where the samples miss curvature of its own and see all of that one; see
   /// driver/thickness.h. Null otherwise.
   std::unique_ptr<Level> with_thicker_start() const;

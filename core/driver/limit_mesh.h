@@ -18,6 +18,8 @@ struct LimitMesh {
   /// normal, as a sphere does.
   Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> curvatures;
   std::vector<std::array<int, 4>> quads;
+  /// Of each patch: the face of the cage that it descends from. Each has equally many quads, in the order of patches.
+  std::vector<int> cage_faces{};
 };
 
 /// From unit coordinates back to those of the cage that has the placement.

@@ -130,7 +130,8 @@ PinRows pin_rows(const std::vector<HeldPoint>& held, const PolygonMesh& mesh) {
   std::vector<double> right;
   const std::vector<LimitStencil> stencils = stencils_of(held, mesh);
   for (std::size_t i = 0; i < held.size(); ++i) {
-    const auto& [points, weights] = stencils[i];
+    const std::vector<int>& points = stencils[i].points;
+    const auto& weights = stencils[i].weights;
     const auto add = [&](int coordinate, int derivative, double scale, const Vector3& direction, double value) {
       const int row = static_cast<int>(right.size());
       for (std::size_t k = 0; k < points.size(); ++k) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Makes the cage, refines it to the level where the problem starts, and begins the run.
+/// Makes the cage and begins the run.
 #include "driver/problem_run.h"
 
 #include "base/instruction_set.h"
 #include "problem/cage_of.h"
+#include "problem/run_cage.h"
 
 namespace umbilic {
 
@@ -23,11 +24,11 @@ Report ProblemRun::report() const {
 }
 
 Result<ProblemRun> begin_run(Problem problem) {
-  const Result<CheckedCage> cage = cage_of(problem.cage);
+  Result<RunCage> cage = run_cage(problem);
   if (!cage) return cage.error();
-  Result<Run> run = Run::create(cage->cage, problem.options, problem.constraints, problem.start);
+  Result<Run> run = Run::create(cage->cage, problem.options, cage->constraints, problem.start);
   if (!run) return named(problem.cage, run.error());
-  return ProblemRun{std::move(problem), cage->report, std::move(run).value()};
+  return ProblemRun{std::move(problem), std::move(cage->report), std::move(run).value(), std::move(cage->cage.groups)};
 }
 
 }  // namespace umbilic

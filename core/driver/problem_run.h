@@ -3,6 +3,9 @@
 /// A run together with its problem: from a `Problem` to a `Report`.
 #pragma once
 
+#include <vector>
+
+#include "cage/cage.h"
 #include "driver/run.h"
 #include "problem/problem.h"
 #include "problem/report.h"
@@ -10,15 +13,16 @@
 namespace umbilic {
 
 struct ProblemRun {
-  Problem problem;
-  CageReport cage;
+  Problem problem;  ///< with what is held on account of its fill
+  CageReport cage;  ///< of the cage after filling
   Run run;
+  std::vector<FaceGroup> groups{};  ///< of the cage
 
   /// Report on the best surface so far. The caller fills in `program` and `certificate`.
   Report report() const;
 };
 
-/// Fails if the cage cannot be made (problem/cage_of.h) or the points of `start` do not fit it, and as `Run::create`.
+/// Fails if the cage cannot be made (problem/run_cage.h) or the points of `start` do not fit it, and as `Run::create`.
 Result<ProblemRun> begin_run(Problem problem);
 
 }  // namespace umbilic

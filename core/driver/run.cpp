@@ -12,6 +12,7 @@
 #include <optional>
 #include <tuple>
 
+#include "driver/closeness_search.h"
 #include "driver/constraints_report.h"
 #include "driver/equations.h"
 #include "driver/extrapolate.h"
@@ -42,7 +43,8 @@ struct Run::State {
   };
 
   RunOptions options;
-  int required_level = 0;  // the first level that can be evaluated
+  int required_level = 0;             // the first level that can be evaluated
+  std::vector<int> faces_of_corners;  // of the cage: the face of each half-edge
   std::unique_ptr<Level> level;
   std::optional<EndedLevel> best;  // of the levels before `level`, as far as there are any
   std::size_t result = 0;          // the index of the best level, once the run is done
@@ -51,14 +53,16 @@ struct Run::State {
   Progress progress;
   double level_seconds = 0;
   bool cancelled = false;
-  HeldRegions held_regions;                      // of the cage
+  HeldRegions held_regions;      // of the cage
+  std::optional<double> within;  // the largest deviation that is allowed, in unit coordinates
+  std::optional<ClosenessSearch> search;
   std::optional<double> fixed_area;              // see Surface
   mutable std::optional<EnergyReport> energies;  // cached for the current best surface
   mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
   LevelOptions level_options() const {
     LevelOptions next{options.cap, options.weights, options.max_iterations, options.tolerance, options.metric};
-    if (!levels.empty()) next.energy_before = levels.back().energy_reported;
+    if (!levels.empty() && !within) next.energy_before = levels.back().energy_reported;
     next.fixed_area = fixed_area;
     return next;
   }
@@ -69,6 +73,15 @@ struct Run::State {
       written.reset();
     }
     return *energies;
+  }
+
+  /// Of each of so many faces at a level: the face of the cage that it descends from. A Catmull-Clark step makes a quad
+  /// of each half-edge, with the half-edge's number; half-edges of quads are numbered by fours.
+  std::vector<int> cage_faces(int level_of_faces, int count) const {
+    std::vector<int> faces(count);
+    for (int f = 0; f < count; ++f)
+      faces[f] = level_of_faces == 0 ? f : faces_of_corners[f >> 2 * (level_of_faces - 1)];
+    return faces;
   }
 
   Cage control_mesh() const {
@@ -84,6 +97,8 @@ struct Run::State {
       const Result<EvaluationReport> evaluation = evaluate(control_mesh(), options.cap, 0);
       written = evaluation ? evaluation->energies : exact;
       written->quadrature_error = exact.quadrature_error;
+      written->free = exact.free;
+      written->closeness = exact.closeness;
     }
     return *written;
   }
@@ -113,6 +128,10 @@ struct Run::State {
         const bool stays = progress.energy == before || (std::isnan(progress.energy) && std::isnan(before));
         if (!stays) energies.reset();
         if (auto thicker = level->with_thicker_start()) replace_level(std::move(thicker));
+        if (ended && search && !cancelled && !search->accepts(largest_deviation(level->surface(), level->best()))) {
+          replace_level(level->with_closeness(search->weight()));
+          break;
+        }
         if (level->should_check_rule() && level->needs_finer_rule(report_energies()))
           replace_level(level->with_finer_rule());
         break;
@@ -120,6 +139,16 @@ struct Run::State {
       case Phase::kReport: end_level(); break;
       case Phase::kDone: break;
     }
+  }
+
+  /// Begins with a weight by which a deviation of half the bound everywhere costs a tenth of the start's energy.
+  void begin_search(double bound) {
+    const Surface& surface = level->surface();
+    within = std::ldexp(bound, -surface.placement().exponent);
+    const EnergyValue start = surface.energy().evaluate(surface.start(), nullptr);
+    const double half = *within / 2, weight = 0.1 * std::max(start.energy, kEnergyFloor) / (start.area * half * half);
+    search.emplace(*within, std::isfinite(weight) && weight > 0 ? weight : 1);
+    level = level->with_closeness(search->weight());
   }
 
   void replace_level(std::unique_ptr<Level> other) {
@@ -134,7 +163,7 @@ struct Run::State {
     levels.push_back(level->report(report_of_ended));
     progress.ended_levels = static_cast<int>(levels.size());
     const LevelReport& report = levels.back();
-    if (report.evaluable) {
+    if (report.evaluable && !within) {
       const bool minimized =
           (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
       const double left = options.tolerance * std::max(report.energy_reported, kEnergyFloor);
@@ -146,7 +175,8 @@ struct Run::State {
     std::optional<RefinedCage> finer;
     if (!last) finer = refine(level->best_cage(), 1);
     EndedLevel ended{std::move(level), report, report_of_ended};
-    if (!best || ended.rank() <= best->rank()) {
+    // Levels with different weights do not compare: the last one is the result.
+    if (!best || within || ended.rank() <= best->rank()) {
       best = std::move(ended);
       result = levels.size() - 1;
     }
@@ -157,6 +187,7 @@ struct Run::State {
       progress.phase = Phase::kDone;
       update_progress();
     } else {
+      if (search) search.emplace(*within, search->weight());
       replace_level(std::make_unique<Level>(*finer, std::max(finer->level, required_level), level_options()));
     }
   }
@@ -183,6 +214,10 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
   Error error;
   if (!in_range(options, error)) return error;
   if (start && !in_range(*start, error)) return Error{"start." + error.message};
+  if (!in_range(constraints, error)) return Error{"constraints." + error.message};
+  if (constraints.closeness && options.cap == CapKind::kFlat) {
+    return Error{"constraints.closeness: caps flat are not linear in the control points; use smooth or none"};
+  }
   Result<RefinedCage> prepared =
       prepare(cage, std::max(options.last_level, start ? start->level : 0), options.symmetry || start, constraints);
   if (!prepared) return prepared.error();
@@ -192,6 +227,7 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
   state->options = options;
   state->required_level = required_level(prepared->mesh).value();
   if (auto error_of_size = too_large_a_run(*prepared, state->required_level, options)) return *error_of_size;
+  for (int h = 0; h < prepared->mesh.halfedge_count(); ++h) state->faces_of_corners.push_back(prepared->mesh.face(h));
   if (constrained && !leaves_size_open(*prepared))
     state->fixed_area = own_area(*prepared, state->required_level, options.cap);
   state->held_regions = HeldRegions(prepared->mesh, prepared->held);
@@ -208,6 +244,7 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
     first.control = moved_to_equations(first, coordinates);
   }
   state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
+  if (constraints.closeness && constraints.closeness->within) state->begin_search(*constraints.closeness->within);
   state->update_progress();
   return Run(std::move(state));
 }
@@ -269,6 +306,9 @@ std::optional<ConstraintsReport> Run::constraints() const {
     report.notes.push_back(fmt::format("on level {} nothing can move: what is held determines all control points",
                                        state_->level->number()));
   }
+  if (state_->search && !state_->search->binds()) {
+    report.notes.push_back("the surface stays within the distance by itself: nothing pulls it");
+  }
   return report;
 }
 
@@ -281,6 +321,11 @@ Result<Certificate> Run::certify() const {
 }
 
 Cage Run::control_mesh() const { return state_->control_mesh(); }
+
+std::vector<int> Run::cage_faces() const {
+  const RefinedCage cage = state_->level->best_cage();
+  return state_->cage_faces(cage.level, cage.mesh.surface_face_count());
+}
 
 Points Run::orbit_points() const {
   const RefinedCage cage = state_->level->best_cage();
@@ -296,6 +341,7 @@ Result<LimitMesh> Run::limit_mesh(int density) const {
   LimitMesh mesh =
       tessellate(surface.mesh(), surface.symmetry(), surface.whole_layout(), state_->level->best(), density);
   put_back(mesh, surface.placement());
+  mesh.cage_faces = state_->cage_faces(surface.level(), surface.mesh().surface_face_count());
   return mesh;
 }
 

@@ -73,6 +73,9 @@ class Run {
   /// The control mesh of the best surface so far.
   Cage control_mesh() const;
 
+  /// Of each face of `control_mesh`: the face of the cage that it descends from.
+  std::vector<int> cage_faces() const;
+
   /// The points of the first vertex of each orbit of `control_mesh`; see driver/surface_state.h.
   Points orbit_points() const;
 

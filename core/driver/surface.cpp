@@ -74,8 +74,13 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, co
   auto boundary = boundary_conditions(constraints.boundary.value_or(BoundaryConditions()), mesh);
   if (!boundary) return boundary.error();
   result.boundary = std::move(boundary).value();
-  if (!result.held.empty() || !result.pins.empty() || !result.boundary.empty()) result.own = result.control;
-  if (result.is_constrained()) {
+  if (constraints.closeness) {
+    const double weight = constraints.closeness->weight.value_or(0);  // where it is sought, the run chooses
+    result.closeness = std::ldexp(weight, 4 * placement.exponent);
+  }
+  const bool exact = !result.held.empty() || !result.pins.empty() || !result.boundary.empty();
+  if (exact || result.closeness) result.own = result.control;
+  if (exact) {
     const HeldFaces held_part(result.held, result.boundary, mesh, result.own);
     const Vector3 center = result.symmetry.center;
     result.symmetry = subgroup(result.symmetry, mesh, [&](const Symmetry& element) {
@@ -84,6 +89,7 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, co
   }
   const Coordinates coordinates(mesh, result.symmetry);
   result.control = coordinates.control(coordinates.unknowns(result.control));
+  if (!exact && result.closeness) result.own = result.control;
   return result;
 }
 
@@ -191,6 +197,7 @@ Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quad
       fixed_area_(fixed_area),
       layout_(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry), cage_.held, Part::kFree) {
   if (!cage_.held.empty()) whole_.emplace(cage_.mesh, cap, face_orbits(cage_.mesh, cage_.symmetry), cage_.held);
+  if (cage_.closeness) closeness_ = std::make_unique<ClosenessTerm>(layout_, cage_.own, *cage_.closeness);
 }
 
 const JetEvaluator& Surface::jets() const {
@@ -255,6 +262,7 @@ EnergyReport Surface::report(const Points& control) const {
   }
   const EnergyValue minimized = energy().evaluate(control, nullptr);
   report.quadrature_error = std::abs(objective(report) - minimized.energy);
+  if (closeness_) report.closeness = closeness_->evaluate(control, nullptr);
 
   const double willmore = report.functionals[kWillmore];
   const double error = defect + std::abs(free.functionals[kWillmore] - willmore_by_minimizing_rule(control, minimized));
@@ -279,7 +287,7 @@ double Surface::willmore_by_minimizing_rule(const Points& control, const EnergyV
 
 double Surface::objective(const EnergyReport& report) const {
   const std::array<double, kFunctionalCount>& functionals = report.free ? report.free->functionals : report.functionals;
-  double sum = 0;
+  double sum = report.closeness.value_or(0);
   for (int i = 0; i < kFunctionalCount; ++i) {
     if (weights_[i] != 0) sum += weights_[i] * functionals[i];
   }

@@ -16,6 +16,7 @@
 #include "energy/surface_energy.h"
 #include "mesh/coordinates.h"
 #include "mesh/symmetry.h"
+#include "optimize/closeness_term.h"
 #include "problem/constraints.h"
 #include "problem/report.h"
 
@@ -31,9 +32,10 @@ struct RefinedCage {
   std::vector<bool> held{};  ///< of each face: whether the surface over it stays; empty if all are free
   std::vector<HeldPoint> pins{};
   std::vector<BoundaryCondition>
-      boundary{};  ///< at each half-edge of the surface, see boundary_rows.h; empty if closed
-  /// Where something is held, or there is a boundary: the control points of the cage's own surface, its pure
-  /// subdivision; else empty.
+      boundary{};                     ///< at each half-edge of the surface, see boundary_rows.h; empty if closed
+  std::optional<double> closeness{};  ///< the weight of the term that pulls to the cage's own surface, if there is one
+  /// Where something is held, or pulled back, or there is a boundary: the control points of the cage's own surface, its
+  /// pure subdivision; else empty.
   Points own{};
 
   bool is_constrained() const { return own.size() > 0; }
@@ -84,6 +86,8 @@ class Surface {
   /// Of all faces.
   const PatchLayout& whole_layout() const { return whole_ ? *whole_ : layout_; }
   bool holds_faces() const { return whole_.has_value(); }
+  /// What pulls the surface to the cage's own; null if nothing does.
+  const ClosenessTerm* closeness() const { return closeness_.get(); }
   /// The constant factor of third-order functionals, in unit coordinates, if there is one.
   std::optional<double> fixed_area() const { return fixed_area_; }
   const JetEvaluator& jets() const;
@@ -125,6 +129,7 @@ class Surface {
   // Made on first use.
   mutable std::unique_ptr<JetEvaluator> jets_, reporting_jets_, whole_reporting_jets_;
   mutable std::unique_ptr<SurfaceEnergy> energy_;
+  std::unique_ptr<ClosenessTerm> closeness_;
 };
 
 /// Whether third-order functionals diverge on the mesh with this cap; `error` then names a vertex that causes it.

@@ -25,12 +25,12 @@ constexpr double kDefectSlack = 2;
 
 SurfaceObjective::SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, double gaussian,
                                    const Points& start, double lower_bound,
-                                   std::function<double(const Points&)> turning)
-    : energy_(energy), unknowns_(unknowns), gaussian_(gaussian), turning_(std::move(turning)) {
+                                   std::function<double(const Points&)> turning, const ClosenessTerm* closeness)
+    : energy_(energy), unknowns_(unknowns), gaussian_(gaussian), turning_(std::move(turning)), closeness_(closeness) {
   const EnergyValue value = energy.evaluate(start, nullptr);
   const double start_defect = defect(value, start);
-  start_energy_ = value.energy;
-  least_energy_ = std::min((1 - kMostAllowed) * lower_bound, start_energy_);
+  least_energy_ = std::min((1 - kMostAllowed) * lower_bound, value.energy);
+  start_energy_ = value.energy + (closeness ? closeness->evaluate(start, nullptr) : 0);
   start_is_whole_ = start_defect <= kLargestDefect;
   largest_defect_ = std::max(kLargestDefect, kDefectSlack * start_defect);
 }
@@ -45,6 +45,7 @@ void SurfaceObjective::evaluate(const Eigen::VectorXd& unknowns, Evaluation& res
   last_defect_ = defect(value, control_);
   const bool credible = last_defect_ <= largest_defect_ && value.energy >= least_energy_;
   result.value = credible ? value.energy : std::numeric_limits<double>::infinity();
+  if (closeness_) result.value += closeness_->evaluate(control_, &gradient_);
   unknowns_.pull_back(gradient_, result.gradient);
   result.degenerate = !(value.regularity > kSmallestRegularity);
 }

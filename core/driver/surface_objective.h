@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "energy/surface_energy.h"
+#include "optimize/closeness_term.h"
 #include "optimize/unknowns.h"
 #include "solve/objective.h"
 
@@ -19,9 +20,10 @@ class SurfaceObjective : public Objective {
  public:
   /// `energy` and `unknowns` must outlive the objective; `gaussian` is what the integral of the Gaussian curvature must
   /// be. At the start the value is finite whenever the energy is.
-  /// Of an open surface it is less by what `turning` says for the control points.
+  /// Of an open surface it is less by what `turning` says for the control points. `closeness` is added to the energy.
   SurfaceObjective(const SurfaceEnergy& energy, const Unknowns& unknowns, double gaussian, const Points& start,
-                   double lower_bound = 0, std::function<double(const Points&)> turning = {});
+                   double lower_bound = 0, std::function<double(const Points&)> turning = {},
+                   const ClosenessTerm* closeness = nullptr);
 
   void evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const override;
 
@@ -39,6 +41,7 @@ class SurfaceObjective : public Objective {
   const Unknowns& unknowns_;
   double gaussian_;
   std::function<double(const Points&)> turning_;
+  const ClosenessTerm* closeness_;
   double start_energy_, least_energy_;
   bool start_is_whole_;
   mutable double largest_defect_, last_defect_ = 0;

@@ -3,18 +3,31 @@
 /// Assembles both matrices in one pass over the patches.
 #include "optimize/hessian_assembly.h"
 
+#include <limits>
+
 #include "optimize/metric_rules.h"
 
 namespace umbilic {
 
 HessianAssembly::HessianAssembly(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
-                                 const QuadratureRule& rule, double umbilic_eta, std::optional<double> fixed_area)
+                                 const QuadratureRule& rule, double umbilic_eta, std::optional<double> fixed_area,
+                                 const ClosenessTerm* closeness)
     : unknowns_(unknowns),
       jets_(layout, rule),
       energy_(jets_, weights, fixed_area),
       assembly_(layout, unknowns.coordinates()),
       sobolev_(layout, weights),
-      hessian_(layout, rule, weights, umbilic_eta) {}
+      hessian_(layout, rule, weights, umbilic_eta),
+      closeness_(closeness) {
+  if (!closeness_) return;
+  assembly_.clear(closeness_sums_);
+  PatchCursor all;
+  all.visit(layout, std::numeric_limits<int>::max(), [&](int set, int patch) {
+    assembly_.add_scalar(set, patch, closeness_->patch(set, patch), closeness_sums_);
+    return 0;
+  });
+  assembly_.eliminate(closeness_sums_);
+}
 
 double HessianAssembly::progress() const {
   return stage_ == Stage::kFactors ? 0 : static_cast<double>(patches_done_) / jets_.layout().patch_count();
@@ -59,6 +72,9 @@ bool HessianAssembly::advance() {
     case Stage::kReduce:
       assembly_.eliminate(hessian_sums_);
       assembly_.eliminate(sobolev_sums_);
+      for (std::size_t i = 0; closeness_ && i < hessian_sums_.values.size(); ++i) {
+        hessian_sums_.values[i] += closeness_sums_.values[i];
+      }
       if (unknowns_.mapped()) {
         reduced_hessian_ = unknowns_.reduce(assembly_.lower(hessian_sums_.values));
         reduced_sobolev_ = unknowns_.reduce(assembly_.lower(sobolev_sums_.values));

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "energy/energy_hessian.h"
+#include "optimize/closeness_term.h"
 #include "optimize/patch_assembly.h"
 #include "optimize/sobolev_form.h"
 #include "optimize/unknowns.h"
@@ -21,9 +22,10 @@ class HessianAssembly {
   using Matrix = Eigen::SparseMatrix<double>;
 
   /// `layout` and `unknowns` must outlive the assembly; `umbilic_eta` as in EnergyHessian,
-  /// `fixed_area` as in SurfaceEnergy.
+  /// `fixed_area` as in SurfaceEnergy. The second derivatives of `closeness`, if given, are added to H.
   HessianAssembly(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
-                  const QuadratureRule& rule, double umbilic_eta = kUmbilicEta, std::optional<double> fixed_area = {});
+                  const QuadratureRule& rule, double umbilic_eta = kUmbilicEta, std::optional<double> fixed_area = {},
+                  const ClosenessTerm* closeness = nullptr);
 
   /// Begins to assemble the matrices at a surface with these control points.
   void begin(const Points& control);
@@ -51,8 +53,9 @@ class HessianAssembly {
   Points control_;
   PatchCursor cursor_;
   int patches_done_ = 0;
-  PatchSums hessian_sums_, sobolev_sums_;
-  Matrix reduced_hessian_, reduced_sobolev_;  // used if the unknowns are those of a coarser mesh
+  const ClosenessTerm* closeness_;
+  PatchSums hessian_sums_, sobolev_sums_, closeness_sums_;  // the last are constant
+  Matrix reduced_hessian_, reduced_sobolev_;                // used if the unknowns are those of a coarser mesh
   Eigen::MatrixXd factors_;
 };
 

@@ -12,10 +12,11 @@
 namespace umbilic {
 
 HessianMetric::HessianMetric(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
-                             const QuadratureRule& rule, const Gauge& gauge, std::optional<double> fixed_area)
+                             const QuadratureRule& rule, const Gauge& gauge, std::optional<double> fixed_area,
+                             const ClosenessTerm* closeness)
     : unknowns_(unknowns),
       scaling_(gauge.scaling),
-      assembly_(layout, unknowns, weights, rule, kMetricUmbilicEta, fixed_area),
+      assembly_(layout, unknowns, weights, rule, kMetricUmbilicEta, fixed_area, closeness),
       mu_(kStartMu) {}
 
 void HessianMetric::begin(const Points& control) {

@@ -26,9 +26,11 @@ namespace umbilic {
 /// has not had to grow.
 class HessianMetric : public SurfaceMetric {
  public:
-  /// `layout` and `unknowns` must outlive the metric; `fixed_area` as in SurfaceEnergy.
+  /// `layout` and `unknowns` must outlive the metric; `fixed_area` as in SurfaceEnergy, `closeness` as in
+  /// HessianAssembly.
   HessianMetric(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights, const QuadratureRule& rule,
-                const Gauge& gauge = {}, std::optional<double> fixed_area = {});
+                const Gauge& gauge = {}, std::optional<double> fixed_area = {},
+                const ClosenessTerm* closeness = nullptr);
 
   void begin(const Points& control) override;
   bool advance() override;

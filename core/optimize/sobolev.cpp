@@ -8,9 +8,11 @@
 
 namespace umbilic {
 
-SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns, const Gauge& gauge)
+SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns, const Gauge& gauge,
+                             const ClosenessTerm* closeness)
     : energy_(energy),
       unknowns_(unknowns),
+      closeness_(closeness),
       scalar_(unknowns.coordinates().cartesian() && !unknowns.mapped()),
       scaling_(gauge.scaling),
       assembly_(energy.layout(), unknowns.coordinates(), scalar_),
@@ -32,6 +34,7 @@ bool SobolevMetric::advance() {
     case Stage::kPatches: {
       const auto add = [&](int set, int patch) {
         assembly_.add_scalar(set, patch, form_.patch(set, patch), sums_);
+        if (closeness_) assembly_.add_scalar(set, patch, closeness_->patch(set, patch), sums_);
         return form_.samples(set);
       };
       if (cursor_.visit(energy_.layout(), kSobolevSamplesPerPart, add)) stage_ = Stage::kSum;

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "optimize/closeness_term.h"
 #include "optimize/gauge.h"
 #include "optimize/patch_assembly.h"
 #include "optimize/sobolev_form.h"
@@ -18,11 +19,12 @@ namespace umbilic {
 /// Assembles the matrix, some patches at a time, and factors it. If each vertex has its own x, y and z as unknowns, one
 /// scalar matrix serves all three. If the gauge contains scaling, directions are projected so that they keep the moment
 /// of the control points about their centroid: unlike the energy, the product is not invariant under scaling, and
-/// surfaces would grow from step to step.
+/// surfaces would grow from step to step. The second derivatives of `closeness`, if given, are added to the product.
 class SobolevMetric : public SurfaceMetric {
  public:
   /// `energy` and `unknowns` must outlive the metric.
-  SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns, const Gauge& gauge = {});
+  SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns, const Gauge& gauge = {},
+                const ClosenessTerm* closeness = nullptr);
 
   void begin(const Points& control) override;
   bool advance() override;
@@ -39,6 +41,7 @@ class SobolevMetric : public SurfaceMetric {
 
   const SurfaceEnergy& energy_;
   const Unknowns& unknowns_;
+  const ClosenessTerm* closeness_;
   bool scalar_, scaling_;
   PatchAssembly assembly_;
   SobolevForm form_;

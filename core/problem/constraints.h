@@ -28,6 +28,23 @@ struct FaceSelection {
   }
 };
 
+/// How near the surface stays to the cage's own: what is minimized has the term weight * integral of |X - X0|^2 dA,
+/// over what is free, between points of the same parameters. Exactly one of the two is given.
+struct Closeness {
+  std::optional<double> weight{};  ///< >= 0, in energy / length^4
+  std::optional<double> within{};  ///< > 0: the least weight is found for which no point is farther than this
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("weight", self.weight, "Of the term that pulls the surface to the cage's own, in energy / length^4");
+    visit("within", self.within,
+          "Or: the distance that no point of the surface may be from the cage's own, in its units");
+  }
+};
+
+/// Whether exactly one is given, in range; otherwise `error` says what is wrong.
+bool in_range(const Closeness& closeness, Error& error);
+
 /// At most one of `hold` and `free` is given. The surface over held faces stays that of the cage, and so do all control
 /// points that it depends on; the surface over the others joins it as smoothly as the surface is inside (with
 /// continuous curvature, except at extraordinary vertices).
@@ -36,17 +53,22 @@ struct Constraints {
   std::optional<FaceSelection> free{};  ///< the faces that are not; all others are held
   std::vector<Pin> pins{};              ///< points and normals that are held
 
+  std::optional<Closeness> closeness{};
   std::optional<BoundaryConditions> boundary{};  ///< of open surfaces; tangent everywhere unless given
+  /// Faces of the cage that are holes: the surface has no points over them (Cage::holes).
+  std::optional<FaceSelection> holes{};
 
   bool holds_faces() const { return hold || free; }
-  bool any() const { return holds_faces() || !pins.empty(); }
+  bool any() const { return holds_faces() || !pins.empty() || closeness; }
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("hold", self.hold, "Faces whose surface stays as it is in the cage");
     visit("free", self.free, "The only faces whose surface may move; not together with hold");
     if (!std::is_const_v<Self> || !self.pins.empty()) visit("pins", self.pins, "Points and normals that are held");
+    visit("closeness", self.closeness, "How near the surface stays to the cage's own");
     visit("boundary", self.boundary, "What is held at the boundaries of an open surface; the tangents unless given");
+    visit("holes", self.holes, "Faces that are holes, over which there is no surface, but what fills them");
   }
 };
 

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 
 #include "base/utf8.h"
 
@@ -23,7 +22,7 @@ void append_escaped(std::string& text, char c) {
     case '\t': text += "\\t"; break;
     default:
       if (static_cast<unsigned char>(c) < 0x20) {
-        fmt::format_to(std::back_inserter(text), "\\u{:04x}", static_cast<int>(c));
+        text += fmt::format("\\u{:04x}", static_cast<int>(c));
       } else {
         text += c;
       }
@@ -34,7 +33,7 @@ void append_escaped(std::string& text, char c) {
 
 void JsonPrinter::print(bool value) { text_ += value ? "true" : "false"; }
 
-void JsonPrinter::print(int value) { fmt::format_to(std::back_inserter(text_), "{}", value); }
+void JsonPrinter::print(int value) { text_ += fmt::format("{}", value); }
 
 void JsonPrinter::print(double value) {
   if (!std::isfinite(value)) {
@@ -42,7 +41,7 @@ void JsonPrinter::print(double value) {
   } else if (value == 0 && std::signbit(value)) {
     text_ += "-0.0";  // a reader that treats integers separately would lose the sign of -0
   } else {
-    fmt::format_to(std::back_inserter(text_), "{}", value);
+    text_ += fmt::format("{}", value);
   }
 }
 

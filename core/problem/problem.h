@@ -15,6 +15,7 @@
 #include "base/types.h"
 #include "cage/generate.h"
 #include "problem/constraints.h"
+#include "problem/fill_request.h"
 #include "problem/members.h"
 #include "problem/options.h"
 
@@ -106,6 +107,7 @@ bool in_range(const SurfaceState& state, Error& error);
 struct Problem {
   static constexpr Unknown kUnknown = Unknown::kRefused;
   CageInput cage;
+  std::optional<FillRequest> fill{};
   Constraints constraints{};
   RunOptions options{};  ///< with the terms
   /// The level and points from which the run starts; if empty, it starts from the cage at the first level.
@@ -115,6 +117,10 @@ struct Problem {
   static void members(Visit&& visit, Self& self) {
     visit.required("cage", self.cage, "The cage: generated, or the text of a file");
     visit.required("terms", self.options.weights, "Weights of the functionals whose sum is minimized, 0 unless given");
+    visit(
+        "fill", self.fill,
+        "Closes boundaries of the cage with quads first; unless the constraints hold or free faces, all are held that "
+        "neither fill a boundary nor touch it");
     visit("constraints", self.constraints, "What the surface keeps besides its topology");
     visit("options", self.options, "How the sum is minimized");
     visit("start", self.start, "Where the run goes on, instead of beginning with the cage");

@@ -58,7 +58,9 @@ struct EnergyReport {
   /// origin (cage/placement.h), where it is no more than other rounding errors; NaN where the quantity diverges. See
   /// driver/input_rounding.h.
   std::optional<FunctionalValues> input_rounding{};
-  std::optional<FreeEnergies> free{};  ///< if faces are held
+  std::optional<FreeEnergies> free{};  ///< if something is held
+  /// Of the term that pulls the surface to the cage's own: its part of what is minimized.
+  std::optional<double> closeness{};
   /// Where the surface is open: how much its boundary turns (surface/boundary_turning.h).
   std::optional<double> boundary_turning{};
   /// Whether `gaussian` and `boundary_turning` sum to what the topology makes them, see driver/gauss_bonnet.h.
@@ -82,6 +84,7 @@ struct EnergyReport {
     visit("free", self.free, "What is minimized where faces are held: the energies of those that are free");
     visit("boundary_turning", self.boundary_turning,
           "How much the boundary of an open surface turns, with its corners");
+    visit("closeness", self.closeness, "The term that pulls the surface to the cage's own, part of what is minimized");
     visit("resolved", self.resolved, "Whether the Gaussian curvature is what the topology makes it");
     visit("below_bound", self.below_bound, "Whether an energy is below what any closed surface of the genus has");
     visit("embedded", self.embedded, "Whether the Willmore energy proves that the surface does not touch itself");
@@ -251,6 +254,7 @@ struct ConstraintsReport {
   int held_faces = 0;
   int free_faces = 0;
   double deviation = 0;
+  std::optional<double> closeness{};
   std::vector<HeldRegionReport> regions;
   std::vector<PinReport> pins;
   std::vector<std::string> notes;
@@ -261,6 +265,10 @@ struct ConstraintsReport {
     visit("free_faces", self.free_faces, "Number of the others");
     visit("deviation", self.deviation,
           "Largest distance between points of the surface and the same points of the cage's own surface");
+    visit("closeness", self.closeness,
+          "Weight of the term that pulls the surface to the cage's own, in energy / length^4: as given, or as found "
+          "for a "
+          "largest deviation");
     visit("regions", self.regions, "Held faces that hang together, in the order of their first faces");
     visit("pins", self.pins, "In the order of the problem");
     visit("notes", self.notes, "What else a user should know, a sentence each");

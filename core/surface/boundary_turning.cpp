@@ -16,9 +16,10 @@ namespace umbilic {
 namespace {
 
 /// Halvings towards an extraordinary vertex, since the characteristic map is a spline between each two. On what is
-/// left, t = 2^-16 s^8: there the map is, roughly, a power of t of 0.6 at least, and one of s that suits Gauss's rule.
-constexpr int kHalvings = 16;
-constexpr int kPower = 8;
+/// left, t = 2^-20 s^3: there the map is, roughly, a power of t of 0.6 at least, and one of s that suits Gauss's rule.
+/// Nearer to the vertex second derivatives have no digits left: each halving takes two bits.
+constexpr int kHalvings = 20;
+constexpr int kPower = 3;
 
 double angle_between(const Vector3& a, const Vector3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 

@@ -8,15 +8,10 @@
 #include <numeric>
 
 #include "mesh/boundary.h"
+#include "surface/cells.h"
 
 namespace umbilic {
 namespace {
-
-/// The half-edges along u of the neighbouring cells, given the half-edge h along u of a cell.
-int cell_right(const PolygonMesh& m, int h) { return m.next(m.twin(m.next(h))); }
-int cell_above(const PolygonMesh& m, int h) { return m.twin(m.next(m.next(h))); }
-int cell_left(const PolygonMesh& m, int h) { return m.previous(m.twin(m.previous(h))); }
-int cell_below(const PolygonMesh& m, int h) { return m.next(m.next(m.twin(h))); }
 
 /// Half-edge along u of the cell (i, j) of the sector that starts with the cell of `h`.
 int sector_cell(const PolygonMesh& m, int h, int i, int j) {

@@ -11,6 +11,7 @@
 
 #include "surface/bspline.h"
 #include "surface/cap.h"
+#include "surface/cells.h"
 
 namespace umbilic {
 namespace {
@@ -21,11 +22,6 @@ struct NetPoint {
   int sector, a, b;
 };
 
-/// The half-edges along u of the neighbouring cells, given the half-edge h along u of a cell.
-int cell_right(const PolygonMesh& m, int h) { return m.next(m.twin(m.next(h))); }
-int cell_above(const PolygonMesh& m, int h) { return m.twin(m.next(m.next(h))); }
-int cell_left(const PolygonMesh& m, int h) { return m.previous(m.twin(m.previous(h))); }
-int cell_below(const PolygonMesh& m, int h) { return m.next(m.next(m.twin(h))); }
 int upper_right(const PolygonMesh& m, int h) { return m.target(m.next(h)); }
 int upper_left(const PolygonMesh& m, int h) { return m.target(m.next(m.next(h))); }
 

@@ -8,6 +8,7 @@ import { createRequire } from 'node:module';
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { readTexts } from './contrast.js';
+import { fish } from './fish.js';
 import { drawn, dropFile, measured, openAddress, screenshots, status } from './page.js';
 import { servedPage } from './served.js';
 
@@ -35,6 +36,20 @@ async function minimize(page) {
   await page.locator('#downloads [name=control]:not([aria-disabled=true])').waitFor();
 }
 
+/** Holds a group and the faces around it, and pins a vertex. @param {Page} page */
+async function hold(page) {
+  await measured(page);
+  await dropFile(page, 'fish.obj', fish());
+  await page.getByRole('checkbox', { name: /^head/ }).check();
+  await page.getByRole('radio', { name: 'Paint', exact: true }).check();
+  await page.getByRole('button', { name: 'Grow', exact: true }).click();
+  await page.getByRole('radio', { name: 'Pin', exact: true }).check();
+  await page.getByRole('spinbutton', { name: 'Vertex' }).fill('1');
+  await page.getByRole('button', { name: 'Pin it' }).click();
+  await status(page, /^Ready/);
+  await drawn(page);
+}
+
 /** @param {Page} page */
 async function notice(page) {
   await page.locator('#notices').waitFor();
@@ -50,6 +65,7 @@ const states = [
     (page) => page.locator('#details[open] h2').first().waitFor(),
   ],
   ['the studio with a notice', 'studio.html', breakFile],
+  ['the studio with held parts', 'studio.html', hold],
   ['the studio after a run', 'studio.html', minimize],
   [
     'the comparison with a notice',

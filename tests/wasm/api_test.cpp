@@ -200,8 +200,12 @@ TEST(Api, gives_a_control_mesh_its_edges_once_and_a_limit_mesh_its_curvatures) {
   for (size_t i = 0; i < arrays.edge_count; ++i)
     edges.insert(std::minmax(arrays.edges[2 * i], arrays.edges[2 * i + 1]));
   EXPECT_EQ(edges.size(), 192u);
+  EXPECT_EQ(arrays.faces[0], 0u);
+  EXPECT_EQ(arrays.faces[2 * 96 - 1], 5u) << "the cube's last face";
   ASSERT_EQ(umbilic_mesh_view(limit, &arrays), UMBILIC_OK);
   EXPECT_EQ(arrays.triangle_count, 2 * 96u * 9);
+  for (size_t f = 0; f < 6; ++f)
+    EXPECT_EQ(std::count(arrays.faces, arrays.faces + arrays.triangle_count, f), 2 * 16 * 9);
   EXPECT_EQ(arrays.edges, nullptr);
   EXPECT_GE(arrays.curvatures[0], arrays.curvatures[1]);
   EXPECT_NEAR(std::hypot(arrays.normals[0], arrays.normals[1], arrays.normals[2]), 1, 1e-6);

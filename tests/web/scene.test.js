@@ -6,8 +6,10 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import { BufferGeometry, Vector3 } from 'three';
-import { extent, setEdges, setSurface } from '../../web/scene/geometry.js';
+import { extent, setEdges, setParts, setSurface } from '../../web/scene/geometry.js';
+import { splitHeld } from '../../web/scene/held.js';
 import { createPace } from '../../web/scene/pace.js';
+import { nearestVertex, pick } from '../../web/scene/pick.js';
 import { cameraOf, fittingDistance, placementOf } from '../../web/scene/placement.js';
 import { createStand } from '../../web/scene/stand.js';
 import { mesh } from './state.js';
@@ -59,6 +61,80 @@ describe('a geometry', () => {
 
   test('extends from the middle of its box to its farthest vertex', () => {
     expect(extent(Float32Array.from([0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 4]))).toEqual({ centre: [1, 2, 2], radius: 3 });
+  });
+});
+
+/** A strip of four unit squares along x, two triangles over each; vertex 2 i is (i, 0, 0), vertex 2 i + 1 is (i, 1, 0). */
+function strip() {
+  const corners = [0, 1, 2, 3].flatMap((i) => [2 * i, 2 * i + 2, 2 * i + 3, 2 * i, 2 * i + 3, 2 * i + 1]);
+  const positions = Array.from({ length: 10 }, (_, v) => [Math.floor(v / 2), v % 2, 0]).flat();
+  return {
+    ...mesh(),
+    positions: Float32Array.from(positions),
+    normals: new Float32Array(30),
+    curvatures: new Float32Array(20),
+    triangles: Uint32Array.from(corners),
+    faces: Uint32Array.of(0, 0, 1, 1, 2, 2, 3, 3),
+  };
+}
+
+describe('held faces', () => {
+  /** Sets of corners, in an order that does not depend on that of triangles. @param {Uint32Array} indices @param {number} size */
+  function sorted(indices, size) {
+    const sets = Array.from({ length: indices.length / size }, (_, i) => [...indices.slice(size * i, size * i + size)]);
+    return sets.map((set) => set.sort((a, b) => a - b).join(' ')).sort();
+  }
+
+  test('are drawn after the free ones, and their rim is the edges between both', () => {
+    const { triangles } = strip();
+    const parts = splitHeld(strip(), Uint8Array.of(0, 1, 1, 0));
+    expect(parts.free).toBe(12);
+    const outer = new Uint32Array([...triangles.slice(0, 6), ...triangles.slice(18)]);
+    expect(sorted(parts.triangles.slice(0, 12), 3)).toEqual(sorted(outer, 3));
+    expect(sorted(parts.triangles.slice(12), 3)).toEqual(sorted(triangles.slice(6, 18), 3));
+    expect(sorted(parts.rim, 2)).toEqual(['2 3', '6 7']);
+  });
+
+  test('of one free vertex, whose triangles are all free, have no rim there', () => {
+    expect([...splitHeld(strip(), Uint8Array.of(0, 0, 0, 0)).rim]).toEqual([]);
+    expect([...splitHeld(strip(), Uint8Array.of(1, 1, 1, 1)).rim]).toEqual([]);
+    expect(splitHeld(strip(), null)).toMatchObject({ free: 24 });
+  });
+
+  test('have a material of their own', () => {
+    const geometry = new BufferGeometry();
+    setSurface(geometry, strip(), Uint8Array.of(0, 1, 1, 0));
+    expect(geometry.groups).toEqual([
+      { start: 0, count: 12, materialIndex: 0 },
+      { start: 12, count: 12, materialIndex: 1 },
+    ]);
+    setParts(geometry, strip(), null);
+    expect(geometry.groups).toEqual([{ start: 0, count: 24, materialIndex: 0 }]);
+  });
+});
+
+describe('a ray', () => {
+  test('meets the nearest triangle from either side, and says the face of the cage', () => {
+    const low = strip();
+    const high = { ...strip(), faces: Uint32Array.of(4, 4, 5, 5, 6, 6, 7, 7) };
+    const both = {
+      positions: Float32Array.from([...low.positions, ...high.positions.map((x, i) => (i % 3 === 2 ? 1 : x))]),
+      triangles: Uint32Array.from([...low.triangles, ...high.triangles.map((v) => v + 10)]),
+      faces: Uint32Array.from([...low.faces, ...high.faces]),
+    };
+    expect(pick(both, [2.25, 0.5, 5], [0, 0, -1])).toEqual({ face: 6, point: [2.25, 0.5, 1] });
+    expect(pick(both, [2.25, 0.5, -5], [0, 0, 2])).toEqual({ face: 2, point: [2.25, 0.5, 0] });
+    expect(pick(both, [2.25, 0.5, 0.5], [0, 0, -1])?.face).toBe(2);
+    expect(pick(both, [4.25, 0.5, 5], [0, 0, -1])).toBeNull();
+    expect(pick(both, [2.25, 0.5, 5], [0, 0, 1])).toBeNull();
+    expect(pick(both, [0, 0.5, 0.25], [1, 0, 0])).toBeNull();
+  });
+
+  test('is nearest to one of the vertices of the cage at the face that it meets', () => {
+    const hit = /** @type {import('../../web/scene/pick.js').Hit} */ ({ face: 1, point: [1.9, 0.2, 0] });
+    expect(nearestVertex(strip(), hit, 10)).toBe(4);
+    expect(nearestVertex(strip(), hit, 4)).toBe(2);
+    expect(nearestVertex(strip(), hit, 2)).toBe(-1);
   });
 });
 

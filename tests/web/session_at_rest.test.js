@@ -3,6 +3,7 @@
  * @file The worker's session while a surface rests: what it prepares before it is asked, and certificates.
  */
 import { describe, expect, test } from '@jest/globals';
+import { fish } from '../browser/fish.js';
 import { all, open, problemOf, session, types, useSession, work } from './session_harness.js';
 
 useSession();
@@ -53,6 +54,46 @@ describe('while a surface rests', () => {
     session.obey({ type: 'expect', run: 1, problem: problemOf({ cage: { generator: 'none' } }) });
     work();
     expect(session.messages).toEqual([]);
+  });
+});
+
+describe('what is held', () => {
+  const text = fish();
+  const constraints = { hold: { groups: ['head'] } };
+  const problem = { cage: { name: 'fish.obj', text }, terms: { bending: 1 }, constraints };
+
+  test('is known by the groups of the cage, and the mesh says which face of the cage each triangle is over', () => {
+    session.obey({ type: 'open', run: 1, problem });
+    work();
+    const { groups, cage } = all('opened')[0];
+    expect(groups.map((/** @type {any} */ { name, faces }) => [name, faces.length])).toEqual([
+      ['head', 32],
+      ['body', 64],
+    ]);
+    const { limit, control } = all('surfaced')[0];
+    for (const { faces, triangles } of [limit, control]) {
+      expect(faces).toHaveLength(triangles.length / 3);
+      const counts = new Map();
+      for (const face of faces) counts.set(face, (counts.get(face) ?? 0) + 1);
+      expect(counts.size).toBe(cage.faces);
+      expect(new Set(counts.values()).size).toBe(1);
+    }
+    const ofHead = [...limit.triangles].filter((_, i) => limit.faces[Math.floor(i / 3)] < 32);
+    const behind = ofHead.filter((v) => !(limit.positions[3 * v] + limit.centre[0] > 0));
+    expect(behind).toEqual([]); // the head is at the front
+    expect(all('measured')[0].energies.free.area).toBeLessThan(all('measured')[0].energies.area);
+  });
+
+  test('is in the problem that is saved, which opens again with it', () => {
+    session.obey({ type: 'open', run: 1, problem });
+    work();
+    session.obey({ type: 'export', run: 1, what: 'problem' });
+    const saved = all('exported')[0].text;
+    expect(JSON.parse(saved)).toMatchObject({ umbilic: 'problem', constraints });
+    session.obey({ type: 'open', run: 2, problem: saved });
+    expect(all('opened')[1].asked.constraints).toMatchObject(constraints);
+    work();
+    expect(all('measured')[1].energies).toEqual(all('measured')[0].energies);
   });
 });
 

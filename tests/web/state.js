@@ -32,6 +32,7 @@ export function mesh() {
     normals: new Float32Array(9),
     curvatures: new Float32Array(6),
     triangles: new Uint32Array([0, 1, 2]),
+    faces: new Uint32Array(1),
     edges: new Uint32Array([0, 1, 1, 2, 2, 0]),
   };
 }
@@ -111,7 +112,7 @@ export function openedMessages(run) {
   const components = [{ ...counts, boundaries: 0 }];
   const cage = { ...counts, components, boundaries: [], groups: [], repairs: [], notes: [] };
   return [
-    answered({ type: 'opened', run, level: 0, cage, group: { name: 'D3h', order: 12 } }),
+    answered({ type: 'opened', run, level: 0, cage, group: { name: 'D3h', order: 12 }, groups: [] }),
     answered({ type: 'surfaced', run, evaluations: 0, limit: mesh(), control: mesh() }),
     answered({ type: 'saved', run, evaluations: 0, state: surfaceState(0, run) }),
     answered({ type: 'measured', run, evaluations: 0, level: 0, energies: energies(150) }),

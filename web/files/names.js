@@ -8,7 +8,8 @@ import { stemOf } from '../words/cages.js';
 /** @import {Exportable} from '../worker/protocol.js' */
 
 /**
- * "two-3-mvs_cross-level2.obj", "two-3-mvs_cross-level2-limit.obj", "two-3-mvs_cross.json"; without the functional
+ * "two-3-mvs_cross-level2.obj", "two-3-mvs_cross-level2-limit.obj", "two-3-mvs_cross.json",
+ * "two-3-mvs_cross-problem.json"; without the functional
  * before a run.
  * @param {State} state
  * @param {Exportable} what
@@ -17,6 +18,7 @@ export function fileName(state, what) {
   const parts = [stemOf(state.cage?.name ?? 'cage')];
   if (state.samples.length) parts.push(state.runSettings.functional);
   if (what === 'report') return `${parts.join('-')}.json`;
+  if (what === 'problem') return `${parts.join('-')}-problem.json`;
   parts.push(`level${state.saved?.state.level ?? 0}`);
   if (what === 'limit') parts.push('limit');
   return `${parts.join('-')}.obj`;

@@ -4,6 +4,7 @@
  * replaces them when counts change.
  */
 import { BufferAttribute } from 'three';
+import { splitHeld } from './held.js';
 
 /** @import {BufferGeometry} from 'three' */
 /** @import {Mesh} from '../../wasm/types.js' */
@@ -56,18 +57,38 @@ function disposeIfChanged(geometry, vertices) {
 }
 
 /**
- * Sets the limit surface: triangles with normals and curvatures.
+ * Sets the limit surface: triangles with normals and curvatures. Those that are free are drawn with the first material,
+ * those that are held with the second.
  * @param {BufferGeometry} geometry
  * @param {Mesh} mesh
+ * @param {Uint8Array | null} [held] 1 for each held face of the cage; null if nothing is held
+ * @returns {Uint32Array} the rim of what is held, two vertices for each edge
  */
-export function setSurface(geometry, mesh) {
+export function setSurface(geometry, mesh, held = null) {
   disposeIfChanged(geometry, mesh.positions.length / 3);
   makeFinite(mesh.curvatures);
   setAttribute(geometry, 'position', mesh.positions, 3);
   setAttribute(geometry, 'normal', mesh.normals, 3);
   setAttribute(geometry, 'curvature', mesh.curvatures, 2);
-  setIndex(geometry, mesh.triangles);
+  const rim = setParts(geometry, mesh, held);
   geometry.computeBoundingSphere();
+  return rim;
+}
+
+/**
+ * Sets which triangles of the surface are held.
+ * @param {BufferGeometry} geometry
+ * @param {Mesh} mesh
+ * @param {Uint8Array | null} held
+ * @returns {Uint32Array} the rim
+ */
+export function setParts(geometry, mesh, held) {
+  const { triangles, free, rim } = splitHeld(mesh, held);
+  setIndex(geometry, triangles);
+  geometry.clearGroups();
+  geometry.addGroup(0, free, 0);
+  if (free < triangles.length) geometry.addGroup(free, triangles.length - free, 1);
+  return rim;
 }
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file The surface's material: a soft ceramic, coloured per vertex from the principal curvatures through a colour map.
+ * What is held has another, in grey.
  */
 import { Color, DataTexture, DoubleSide, LinearFilter, MeshStandardMaterial, SRGBColorSpace } from 'three';
 import { MAP_SIZE, mapBytes } from '../colour/maps.js';
@@ -12,6 +13,8 @@ import { quantities } from '../colour/quantities.js';
 
 /** The surface's colour if no quantity colours it. */
 const PLAIN = new Color(0xd9d2c5);
+/** The colour of what is held: a grey darker than any in the middle of a colour map. */
+const HELD = new Color(0x92969c);
 
 /** @param {MapName} name */
 function mapTexture(name) {
@@ -52,7 +55,7 @@ if (which >= 0) {
 `;
 
 /**
- * @returns {{material: MeshStandardMaterial, shade: (quantity: Quantity | null, range: Range | null) => void,
+ * @returns {{material: MeshStandardMaterial, held: MeshStandardMaterial, shade: (quantity: Quantity | null, range: Range | null) => void,
  *   dispose: () => void}}
  */
 export function createSurfaceMaterial() {
@@ -74,8 +77,10 @@ export function createSurfaceMaterial() {
       FRAGMENT_COLOUR,
     );
   };
+  const held = new MeshStandardMaterial({ color: HELD, roughness: 0.7, metalness: 0, side: DoubleSide });
   return {
     material,
+    held,
     shade(quantity, range) {
       uniforms.which.value = quantity && range ? quantities.indexOf(quantity) : -1;
       if (!quantity || !range) return;
@@ -84,6 +89,7 @@ export function createSurfaceMaterial() {
     },
     dispose() {
       material.dispose();
+      held.dispose();
       Object.values(textures).forEach((texture) => texture.dispose());
     },
   };

@@ -2,12 +2,14 @@
 /**
  * @file The three.js scene: surface, control cage, light and camera. Draws only when something has changed.
  */
-import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, Scene } from 'three';
-import { extent, setEdges, setSurface } from './geometry.js';
+import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, Raycaster, Scene, Vector2 } from 'three';
+import { extent, setEdges, setParts, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
+import { createMarks } from './marks.js';
 import { createSurfaceMaterial } from './material.js';
 import { createOrbit } from './orbit.js';
 import { createPainter } from './painter.js';
+import { nearestVertex, pick } from './pick.js';
 import { createStand } from './stand.js';
 
 /** @import * as core from '../../wasm/types.js' */
@@ -48,13 +50,14 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
 
   const surfaceMaterial = createSurfaceMaterial();
   const surfaceGeometry = new BufferGeometry();
-  const surface = new Mesh(surfaceGeometry, surfaceMaterial.material);
+  const surface = new Mesh(surfaceGeometry, [surfaceMaterial.material, surfaceMaterial.held]);
   surface.visible = false;
   surface.frustumCulled = false;
   const cageGeometry = new BufferGeometry();
   const cage = createCageLines(cageGeometry);
   const stand = createStand();
-  stand.model.add(surface, cage.group);
+  const marks = createMarks();
+  stand.model.add(surface, cage.group, marks.group);
   scene.add(stand.object);
 
   const painter = createPainter(canvas, {
@@ -78,6 +81,12 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
 
   /** Origin of the surface's positions, in the cage's coordinates. @type {Float64Array} */
   let origin = new Float64Array(3);
+  /** The mesh on the screen. @type {core.Mesh | null} */
+  let shown = null;
+  /** @type {Uint8Array | null} */
+  let held = null;
+  /** The vertices of the cage that are pinned, from 0. @type {number[]} */
+  let pinned = [];
 
   rehearse();
 
@@ -85,12 +94,19 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     if (surface.visible) painter.request();
   }
 
-  /** Draws a triangle of zero size with the surface's material, so that its shaders are compiled early. */
+  /** Puts a dot at each pin of the surface. @param {core.Mesh} mesh */
+  function placePins({ positions }) {
+    const known = pinned.filter((vertex) => 3 * vertex < positions.length);
+    marks.setPins(Float32Array.from(known.flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)])));
+  }
+
+  /** Draws triangles of zero size with the surface's materials, so that their shaders are compiled early. */
   function rehearse() {
     const sizes = { positions: 9, normals: 9, curvatures: 6 };
     const arrays = Object.entries(sizes).map(([name, size]) => [name, new Float32Array(size)]);
-    const [triangles, edges] = [new Uint32Array(3), new Uint32Array(0)];
-    setSurface(surfaceGeometry, { ...Object.fromEntries(arrays), centre: origin, triangles, edges });
+    const [triangles, faces, edges] = [new Uint32Array(6), new Uint32Array([0, 1]), new Uint32Array(0)];
+    const mesh = { ...Object.fromEntries(arrays), centre: origin, triangles, faces, edges };
+    setSurface(surfaceGeometry, mesh, Uint8Array.of(0, 1));
     surface.visible = true;
     painter.rehearse();
     surface.visible = false;
@@ -114,11 +130,46 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
 
     /** @param {core.Mesh} mesh */
     setSurface(mesh) {
-      setSurface(surfaceGeometry, mesh);
+      marks.setRim(surfaceGeometry, setSurface(surfaceGeometry, mesh, held));
+      placePins(mesh);
+      shown = mesh;
       stand.centre(extent(mesh.positions));
       origin = mesh.centre;
       surface.visible = true;
       requestRender();
+    },
+
+    /** Which faces of the cage are held: 1 for each, or null if none is. @param {Uint8Array | null} next */
+    setHeld(next) {
+      held = next;
+      if (!shown) return;
+      marks.setRim(surfaceGeometry, setParts(surfaceGeometry, shown, held));
+      requestRender();
+    },
+
+    /** Which vertices of the cage are pinned, from 0. @param {number[]} next */
+    setPins(next) {
+      pinned = next;
+      if (!shown) return;
+      placePins(shown);
+      requestRender();
+    },
+
+    /**
+     * What is under a point of the canvas.
+     * @param {number} x from 0 at the left to 1 at the right
+     * @param {number} y from 0 at the top to 1 at the bottom
+     * @param {number} vertices of the cage
+     * @returns {{face: number, vertex: number} | null} the face of the cage, and its vertex nearest to the point, from 0
+     */
+    pick(x, y, vertices) {
+      if (!shown) return null;
+      scene.updateMatrixWorld();
+      const ray = new Raycaster();
+      ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), camera);
+      ray.ray.applyMatrix4(surface.matrixWorld.clone().invert());
+      const hit = pick(shown, ray.ray.origin.toArray(), ray.ray.direction.toArray());
+      return hit && { face: hit.face, vertex: nearestVertex(shown, hit, vertices) };
     },
 
     /** Sets the control cage of the surface that was set last. @param {core.Mesh} mesh */
@@ -141,8 +192,9 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       requestRender();
     },
 
-    /** @param {string} colour of the cage's lines, as in CSS */
-    setLineColour(colour) {
+    /** @param {string} colour of lines, as in CSS @param {string} accent of pins */
+    setColours(colour, accent) {
+      marks.setColours(colour, accent);
       cage.materials.forEach((material) => material.color.set(new Color(colour)));
       requestRender();
     },
@@ -157,6 +209,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       cageGeometry.dispose();
       cage.materials.forEach((material) => material.dispose());
       surfaceMaterial.dispose();
+      marks.dispose();
     },
   };
 }

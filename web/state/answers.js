@@ -114,7 +114,7 @@ function afterOpened(state, opening, message) {
     return { ...opened, status: state.stop ? 'ended' : 'resting', minimizer };
   }
   if (opening.entry && opening.report && source.kind === 'generated') {
-    const cage = { source, name: source.name, counts: message.cage };
+    const cage = { source, name: source.name, counts: message.cage, groups: message.groups };
     return afterEntryOpened({ ...opened, cage, alert: null }, opening.entry, opening.report, message.level);
   }
   /** @type {State} */
@@ -133,7 +133,7 @@ function afterOpened(state, opening, message) {
   /** @type {State} */
   const shown = {
     ...fresh,
-    settings: { ...state.settings, origin: 'cage' },
+    settings: { ...state.settings, constraints: {}, origin: 'cage' },
     minimizer: null,
     saved: null,
     latest: null,
@@ -142,7 +142,7 @@ function afterOpened(state, opening, message) {
     alert: state.cage ? null : state.alert,
   };
   if (source.kind === 'problem') return afterFileOpened(shown, source.name, message);
-  return { ...shown, cage: { source, name: source.name, counts: message.cage } };
+  return { ...shown, cage: { source, name: source.name, counts: message.cage, groups: message.groups } };
 }
 
 /**
@@ -152,12 +152,12 @@ function afterOpened(state, opening, message) {
  * @param {Opened} message
  * @returns {State}
  */
-function afterFileOpened(shown, fileName, { level, cage: counts, asked, report }) {
+function afterFileOpened(shown, fileName, { level, cage: counts, groups, asked, report }) {
   if (!asked) return shown;
   const source = sourceOf(asked.cage, fileName);
   const settings = settingsFrom(shown.settings, asked);
   /** @type {State} */
-  const opened = { ...shown, cage: { source, name: source.name, counts }, settings, runSettings: settings };
+  const opened = { ...shown, cage: { source, name: source.name, counts, groups }, settings, runSettings: settings };
   if (source.kind === 'generated') {
     opened.generator = { name: source.name, family: source.family, thickness: source.thickness };
   }
@@ -189,7 +189,8 @@ function afterFailed(state, run, message) {
     const nothing = !state.cage && opening.source.name !== firstGenerator.name;
     return nothing ? openGenerated({ ...withAlert, status: state.status, generator: firstGenerator }) : withAlert;
   }
-  return { ...closed, settings: state.runSettings, alert: { title: 'These settings cannot be used', message } };
+  const settings = { ...state.runSettings, constraints: state.settings.constraints };
+  return { ...closed, settings, alert: { title: 'These settings cannot be used', message } };
 }
 
 /** @type {Record<Loss, string>} */
@@ -234,7 +235,7 @@ function afterCertificate({ certifying, runSettings, settings, alert }, idle, de
   const message = detail || 'The surface is kept.';
   return {
     ...idle,
-    settings: { ...runSettings, origin: settings.origin },
+    settings: { ...runSettings, constraints: settings.constraints, origin: settings.origin },
     alert: certifying?.abandoning ? alert : { title: 'The certificate broke off', message },
   };
 }
@@ -258,7 +259,11 @@ function afterRun(state, idle, title, detail) {
     ...idle,
     status: started ? 'ended' : 'resting',
     stop: started ? 'interrupted' : null,
-    settings: { ...state.runSettings, origin: started && state.saved ? 'surface' : 'cage' },
+    settings: {
+      ...state.runSettings,
+      constraints: state.settings.constraints,
+      origin: started && state.saved ? 'surface' : 'cage',
+    },
     alert: { title, message },
   };
 }

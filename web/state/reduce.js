@@ -6,7 +6,8 @@ import { parseStudioAddress } from '../address/studio.js';
 import { whatIsAsked } from './address.js';
 import { afterAnswer, afterLoss } from './answers.js';
 import { openEntry, openWithout } from './entry.js';
-import { beginOpening, firstGenerator, openGenerated } from './opening.js';
+import { afterHold, holdsTheSame, problemOfHold } from './hold.js';
+import { beginOpening, firstGenerator, openGenerated, openPreview } from './opening.js';
 import { changeSettings, defaultSettings, problemWith } from './settings.js';
 
 /** @import {StudioAddress} from '../address/studio.js' */
@@ -54,7 +55,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
     certifying: null,
     certificate: null,
     alert: sentences.length ? { title: 'A part of the address is left out', message: sentences.join(' ') } : null,
-    view: { shading: address.shading, cage: false, camera: address.camera, theme },
+    view: { shading: address.shading, cage: false, camera: address.camera, theme, pointer: 'turn' },
   };
   return wanted ? blank : openGenerated(blank);
 }
@@ -62,22 +63,19 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
 /** Whether a file is a problem or a report, not a cage: JSON begins with a brace. @param {Uint8Array} text */
 const isJson = (text) => /^[ \t\r\n]*\{/.test(new TextDecoder('latin1').decode(text.subarray(0, 1000)));
 
-/** Opens the cage again with the current settings. @param {State} state @returns {State} */
-function openPreview(state) {
-  const pending = state.opening?.purpose === 'cage' ? state.opening : null;
-  const source = pending?.source ?? state.cage?.source;
-  if (!source || problemWith(state.settings)) return state;
-  return beginOpening(state, { source, purpose: pending?.purpose ?? 'preview', then: 'hold', start: null });
-}
-
 /** Whether settings may be changed: not while a run uses them. @param {State} state */
 export function settingsAreFree(state) {
   return state.status === 'resting' || state.status === 'ended' || state.status === 'loading';
 }
 
+/** Whether the next run can start from the current surface: not if it holds something else. @param {State} state */
+export function canStartFromSurface({ status, saved, settings, runSettings }) {
+  return status === 'ended' && saved !== null && holdsTheSame(settings, runSettings);
+}
+
 /** Whether the next run starts from the current surface. @param {State} state */
 export function startsFromSurface(state) {
-  return state.status === 'ended' && state.settings.origin === 'surface' && state.saved !== null;
+  return canStartFromSurface(state) && state.settings.origin === 'surface';
 }
 
 /** Whether a run has ended with a surface that has no certificate yet. @param {State} state */
@@ -92,13 +90,15 @@ export function canBeCertified({ status, opening, certifying, certificate }) {
  * @returns {State}
  */
 function go(state, then) {
-  if (!state.cage || problemWith(state.settings)) return state;
-  if (state.opening) {
-    return settingsAreFree(state) ? { ...state, opening: { ...state.opening, then } } : state;
+  if (!state.cage || problemWith(state.settings) || problemOfHold(state)) return state;
+  const { opening } = state;
+  if (opening && (opening.purpose === 'cage' || holdsTheSame(state.settings, opening.settings))) {
+    return settingsAreFree(state) ? { ...state, opening: { ...opening, then } } : state;
   }
-  if (state.status === 'resting' || state.status === 'paused')
+  const current = state.status === 'paused' || holdsTheSame(state.settings, state.runSettings);
+  if (state.status === 'paused' || (state.status === 'resting' && current))
     return { ...state, status: 'running', asked: null, stop: null };
-  if (state.status !== 'ended') return state;
+  if (state.status !== 'ended' && state.status !== 'resting') return state;
   if (state.saved && startsFromSurface(state)) {
     const { source } = state.cage;
     return beginOpening(state, { source, purpose: 'start', then, start: state.saved.state });
@@ -110,7 +110,7 @@ function go(state, then) {
 function again(state) {
   const { minimizer, cage } = state;
   if (!minimizer || !cage || !settingsAreFree(state) || state.opening) return state;
-  const asked = { ...state, settings: minimizer.settings };
+  const asked = { ...state, settings: { ...minimizer.settings, constraints: state.settings.constraints } };
   return beginOpening(asked, { source: cage.source, purpose: 'start', then: 'run', start: null });
 }
 
@@ -140,6 +140,18 @@ export function reduce(state, action) {
     case 'weightChanged': {
       const weights = { ...state.settings.weights, [action.functional]: action.weight };
       return reduce(state, { type: 'settingsChanged', change: { weights } });
+    }
+    case 'facesPainted':
+    case 'paintingEnded':
+    case 'groupHeld':
+    case 'holdEdited':
+    case 'vertexPinned':
+    case 'pinRemoved': {
+      const held = afterHold(state, action);
+      // A run goes on with what it holds; a stroke is shown by the core when it has ended.
+      const waits = state.status !== 'resting' || state.opening?.purpose === 'cage' || action.type === 'facesPainted';
+      const shown = state.opening?.settings ?? state.runSettings;
+      return waits || holdsTheSame(held.settings, shown) ? held : openPreview(held);
     }
     case 'startPressed':
       return go(state, 'run');

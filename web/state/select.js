@@ -5,8 +5,10 @@
 import { cageWords } from '../words/cages.js';
 import { energyWarnings, roundingWords } from '../words/energies.js';
 import { functionalWords, stopWords } from '../words/functionals.js';
+import { freeWords } from '../words/holding.js';
 import { counted, integer } from '../words/numbers.js';
 import { showsEntry } from './entry.js';
+import { problemOfHold } from './hold.js';
 import { canBeCertified, settingsAreFree } from './reduce.js';
 import { activeWeights, problemWith } from './settings.js';
 
@@ -22,7 +24,8 @@ import { activeWeights, problemWith } from './settings.js';
  */
 export function runButtons(state) {
   const { status, opening, asked } = state;
-  const usable = state.cage !== null && !problemWith(state.settings) && status !== 'unavailable';
+  const usable =
+    state.cage !== null && !problemWith(state.settings) && !problemOfHold(state) && status !== 'unavailable';
   const startable = usable && (!opening || opening.then === 'hold') && opening?.purpose !== 'cage';
   const active = (status === 'running' || status === 'paused') && !opening;
   /** @type {Button} */
@@ -103,9 +106,11 @@ export function energyNotes(state) {
     return stale ? [{ words: `As of evaluation ${integer(latest.evaluations)}.` }] : [];
   }
   const level = earlierLevel(state);
+  const terms = /** @type {FunctionalName[]} */ (Object.keys(activeWeights(state.runSettings)));
   const rounding = roundingWords(latest.energies.input_rounding);
   return [
     ...(level === null ? [] : [{ words: `Of level ${level}, which is better than the last one.` }]),
+    ...freeWords(latest.energies, terms).map((words) => ({ words })),
     ...(rounding ? [{ words: rounding }] : []),
     ...energyWarnings(latest.energies).map((words) => ({ words, warning: true })),
   ];
@@ -128,13 +133,14 @@ export function objectiveName(settings) {
 }
 
 /**
- * The value of the objective: the weighted sum of energies; NaN if one of them diverges.
+ * The value of the objective: the weighted sum of energies, over the free faces where some are held; NaN if one of them
+ * diverges.
  * @param {Settings} settings
  * @param {Energies} energies
  */
 export function objectiveValue(settings, energies) {
   return Object.entries(activeWeights(settings)).reduce(
-    (sum, [id, weight]) => sum + weight * energies[/** @type {FunctionalName} */ (id)],
+    (sum, [id, weight]) => sum + weight * (energies.free ?? energies)[/** @type {FunctionalName} */ (id)],
     0,
   );
 }

@@ -18,6 +18,7 @@ export const defaultSettings = {
   levels: [0, 2],
   tolerance: 1e-6,
   max_iterations: 1000,
+  constraints: {},
   origin: 'cage',
 };
 
@@ -70,10 +71,11 @@ export function problemWith(settings) {
  */
 export function problemOf(source, settings, start) {
   if (source.kind === 'problem') return new TextDecoder().decode(source.text);
-  const { cap, symmetry, levels, tolerance, max_iterations } = settings;
+  const { cap, symmetry, levels, tolerance, max_iterations, constraints } = settings;
   return {
     cage: cageOf(source),
     terms: activeWeights(settings),
+    ...(Object.keys(constraints).length > 0 && { constraints }),
     options: { cap, symmetry, levels, tolerance, max_iterations },
     ...(start && { start }),
   };
@@ -105,16 +107,17 @@ export function sourceOf(cage, name) {
 /**
  * The page's settings for a problem.
  * @param {Settings} settings
- * @param {Pick<Problem, 'terms' | 'options'>} problem
+ * @param {Pick<Problem, 'terms' | 'constraints' | 'options'>} problem
  * @returns {Settings}
  */
-export function settingsFrom(settings, { terms, options }) {
+export function settingsFrom(settings, { terms, constraints = {}, options }) {
   const names = /** @type {FunctionalName[]} */ (Object.keys(terms));
   const none = Object.fromEntries(Object.keys(settings.weights).map((name) => [name, 0]));
   const weights = /** @type {Settings['weights']} */ ({ ...none, ...terms });
   const single = names.length === 1 && terms[names[0]] === 1;
   const asked = {
     ...settings,
+    constraints,
     ...(single ? { functional: names[0] } : { functional: /** @type {const} */ ('blend'), weights }),
   };
   for (const name of /** @type {const} */ (['cap', 'symmetry', 'levels', 'tolerance', 'max_iterations'])) {

@@ -3,7 +3,7 @@
  * @file The types of the studio's state and actions; no code.
  */
 
-/** @import {CageReport, CapName, CertificateReport, Energies, FunctionalName} from '../../wasm/types.js' */
+/** @import {CageReport, CapName, CertificateReport, Constraints, Energies, FaceGroup, FunctionalName} from '../../wasm/types.js' */
 /** @import {GeneratedCage, Group, LevelReport, Limit, Mesh, Progress, Report, StopReason, SurfaceState} from '../../wasm/types.js' */
 /** @import {Camera} from '../address/camera.js' */
 /** @import {EntryName} from '../address/compare.js' */
@@ -22,6 +22,7 @@
  * @property {[number, number]} levels Catmull-Clark steps from the cage
  * @property {number} tolerance
  * @property {number} max_iterations per level
+ * @property {Constraints} constraints what is held, of the cage that is open; without lists that are empty
  * @property {'cage' | 'surface'} origin where the next run starts, once there is a surface
  */
 
@@ -34,7 +35,12 @@
  * @typedef {Generated | FileText | {kind: 'problem', name: string, text: Uint8Array}} Source
  */
 
-/** The cage that is open. @typedef {{source: Generated | FileText, name: string, counts: CageReport}} OpenCage */
+/**
+ * The cage that is open. `groups` are those of its file.
+ * @typedef {{source: Generated | FileText, name: string, counts: CageReport, groups: FaceGroup[]}} OpenCage
+ */
+
+/** What the pointer does on the surface: turns it, holds faces, frees them, or pins vertices. @typedef {'turn' | 'hold' | 'free' | 'pin'} Pointer */
 
 /**
  * A cage or a surface that the worker is opening under a new run number.
@@ -113,11 +119,22 @@
  * @property {Certifying | null} certifying
  * @property {CertificateReport | null} certificate the certificate of the surface on the screen
  * @property {Alert | null} alert
- * @property {{shading: Shading, cage: boolean, camera: Camera, theme: 'light' | 'dark' | 'system'}} view
+ * @property {{shading: Shading, cage: boolean, camera: Camera, theme: 'light' | 'dark' | 'system', pointer: Pointer}} view
  */
 
 /**
- * @typedef {{type: 'generatorChanged', change: Partial<Generator>}
+ * Changes of what is held. Faces are numbered from 0, as in meshes, vertices from 1. A stroke of the brush is many
+ * `facesPainted` and an end.
+ * @typedef {{type: 'facesPainted', faces: number[], held: boolean}
+ *   | {type: 'paintingEnded'}
+ *   | {type: 'groupHeld', name: string, held: boolean}
+ *   | {type: 'holdEdited', how: 'all' | 'invert' | 'grow' | 'clear'}
+ *   | {type: 'vertexPinned', vertex: number}
+ *   | {type: 'pinRemoved', index: number}} HoldAction
+ */
+
+/**
+ * @typedef {HoldAction | {type: 'generatorChanged', change: Partial<Generator>}
  *   | {type: 'fileChosen', name: string, text: Uint8Array}
  *   | {type: 'fileRefused', name: string, message: string}
  *   | {type: 'settingsChanged', change: Partial<Settings>}

@@ -33,7 +33,7 @@ export function createAlertView(root, dispatch) {
  */
 export function createDownloadsView(root, dispatch) {
   const listening = new AbortController();
-  const names = /** @type {const} */ (['control', 'limit', 'report']);
+  const names = /** @type {const} */ (['control', 'limit', 'report', 'problem']);
   const buttons = names.map((name) => {
     const button = /** @type {HTMLButtonElement} */ (find(root, `[name=${name}]`));
     onPress(button, () => dispatch({ type: 'downloadPressed', what: name }), listening.signal);
@@ -42,11 +42,12 @@ export function createDownloadsView(root, dispatch) {
   return {
     /** @param {State} state */
     update(state) {
-      const [control, limit, report] = buttons;
+      const [control, limit, report, problem] = buttons;
       const busy = state.exporting || state.opening || state.certifying || state.status === 'unavailable';
       setEnabled(limit, state.surface !== null && !busy);
       setEnabled(control, state.saved !== null && !busy);
       setEnabled(report, state.latest !== null && !busy);
+      setEnabled(problem, state.surface !== null && !busy);
     },
     dispose: () => listening.abort(),
   };

@@ -3,7 +3,7 @@
  * @file The panel for what is minimized and how: functional or blend, cap, symmetry, levels, tolerance, and where the
  * next run starts.
  */
-import { settingsAreFree } from '../state/reduce.js';
+import { canStartFromSurface, settingsAreFree } from '../state/reduce.js';
 import { MAX_LEVEL, problemWith } from '../state/settings.js';
 import { caps, functionals } from '../words/functionals.js';
 import { groupWords } from '../words/results.js';
@@ -117,7 +117,7 @@ export function createObjectiveView(root, dispatch) {
       // A run without symmetry has group C1, whatever the symmetry of the cage.
       showGroup(state.runSettings.symmetry ? state.group : null, state.settings.symmetry);
       fields.disabled = !settingsAreFree(state);
-      origin.hidden = state.status !== 'ended' || !state.saved;
+      origin.hidden = !canStartFromSurface(state);
     },
     dispose: () => listening.abort(),
   };

@@ -5,13 +5,16 @@
 import { quantityOf } from '../colour/quantities.js';
 import { drawing } from '../scene/drawing.js';
 import { createScene } from '../scene/scene.js';
+import { heldFaces } from '../state/hold.js';
+import { listenToBrush } from './brush.js';
 import { find, whenChanged } from './dom.js';
 import { listenToKeys } from './keys.js';
 
 /** @import {Camera} from '../address/camera.js' */
 /** @import {Quantity} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
-/** @import {Action, State, Surface} from '../state/types.js' */
+/** @import {Constraints} from '../../wasm/types.js' */
+/** @import {Action, OpenCage, Pointer, State, Surface} from '../state/types.js' */
 
 /**
  * @param {HTMLElement} root
@@ -43,8 +46,22 @@ export function createSurfaceView(root, dispatch) {
   find(root, '#fit').addEventListener('click', () => dispatch({ type: 'fitPressed' }), { signal });
 
   listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal);
+  /** @type {Pointer} */
+  let pointer = 'turn';
+  let vertices = 0;
+  const brush = {
+    pointer: () => pointer,
+    /** @param {number} x @param {number} y */
+    pick: (x, y) => scene?.pick(x, y, vertices) ?? null,
+  };
+  listenToBrush(canvas, brush, dispatch, signal);
 
   const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
+  const setHeld = whenChanged((/** @type {Constraints} */ constraints, /** @type {OpenCage | null} */ cage) => {
+    const held = heldFaces(constraints, cage);
+    scene?.setHeld(held.some(Boolean) ? held : null);
+    scene?.setPins((constraints.pins ?? []).flatMap(({ vertex }) => (vertex ? [vertex - 1] : [])));
+  });
   const setSurface = whenChanged((/** @type {Surface} */ surface) => scene?.setSurface(surface.limit));
   const awaitPicture = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ coarse) => {
     awaited = coarse;
@@ -60,9 +77,11 @@ export function createSurfaceView(root, dispatch) {
   const shade = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) =>
     scene?.shade(quantity, range),
   );
-  const recolour = whenChanged((/** @type {boolean} */ dark) =>
-    scene?.setLineColour(getComputedStyle(root).getPropertyValue('color')),
-  );
+  const recolour = whenChanged((/** @type {boolean} */ dark) => {
+    // A colour of the style sheet, whatever form it is given in there, as the browser computes it.
+    const computed = getComputedStyle(root);
+    scene?.setColours(computed.getPropertyValue('color'), computed.getPropertyValue('outline-color'));
+  });
   let shown = false;
   // The camera of the first surface comes from the address.
   const fit = whenChanged((/** @type {number} */ fits) => shown && scene?.fit());
@@ -78,6 +97,10 @@ export function createSurfaceView(root, dispatch) {
       if (!state.surface) return;
       setCamera(state.view.camera);
       setUp(state.cage?.source.kind === 'generated');
+      ({ pointer } = state.view);
+      vertices = state.cage?.counts.vertices ?? 0;
+      canvas.dataset.pointer = pointer;
+      setHeld(state.settings.constraints, state.cage);
       setSurface(state.surface);
       awaitPicture(state.surface, state.coarse);
       setCage(state.surface, state.view.cage);

@@ -5,7 +5,7 @@
  */
 import { energyNotes, objectiveName, objectiveValue } from '../state/select.js';
 import { embeddedWords } from '../words/energies.js';
-import { functionals, stopWords } from '../words/functionals.js';
+import { functionalWords, functionals, stopWords } from '../words/functionals.js';
 import { counted, duration, integer, significant, withError } from '../words/numbers.js';
 import { metricWords, thickenedWords } from '../words/results.js';
 import { createLines, element, whenChanged } from './dom.js';
@@ -60,21 +60,23 @@ function energyRow(name, formula, now, start, objective, note = []) {
 function energyRows(settings, now, start) {
   const blend = settings.functional === 'blend';
   const rows = functionals.map(({ id, name, formula }) => {
-    const objective = settings.functional === id;
+    const objective = settings.functional === id && !now.free;
     const error = objective ? now.quadrature_error : null;
     const embedded = id === 'willmore' && now.embedded;
     const note = embedded ? [element('small', { title: embeddedWords.reason }, embeddedWords.name)] : [];
     return energyRow(name, formula, cell(now[id], error), start ? cell(start[id], null) : [], objective, note);
   });
-  if (blend) {
+  if (blend || now.free) {
     const [value, first] = [now, start].map((energies) => (energies ? objectiveValue(settings, energies) : null));
+    const name = settings.functional === 'blend' ? 'Blend' : functionalWords(settings.functional).name;
     rows.unshift(
       energyRow(
-        'Blend',
+        name,
         objectiveName(settings),
         cell(value ?? NaN, now.quadrature_error),
         first === null ? [] : cell(first, null),
         true,
+        now.free ? [element('small', {}, 'over the free faces')] : [],
       ),
     );
   }

@@ -5,7 +5,7 @@
  * with a new number, and the worker keeps the old run until the new one has opened.
  */
 
-/** @import {CageReport, CertificateReport, Energies, Group, LevelReport, Limit} from '../../wasm/types.js' */
+/** @import {CageReport, CertificateReport, Energies, FaceGroup, Group, LevelReport, Limit} from '../../wasm/types.js' */
 /** @import {Mesh, Problem, Progress, Report, StopReason} from '../../wasm/types.js' */
 
 /**
@@ -30,7 +30,7 @@
  * @typedef {{type: 'pause', run: number}} Pause
  * @typedef {{type: 'cancel', run: number}} Cancel
  *
- * Answers `exported` with the control mesh or the limit mesh as OBJ, or with the report.
+ * Answers `exported` with the control mesh or the limit mesh as OBJ, or with the report or the problem.
  * @typedef {{type: 'export', run: number, what: Exportable}} Export
  *
  * Tests whether the surface of a run at rest is a minimum among all surfaces near it. Answers `certificateAdvanced` and
@@ -45,15 +45,15 @@
  * @typedef {Open | Detail | Expect | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Ping} Command
  */
 
-/** @typedef {'control' | 'limit' | 'report'} Exportable */
+/** @typedef {'control' | 'limit' | 'report' | 'problem'} Exportable */
 
 /**
  * The worker has loaded the core.
  * @typedef {{type: 'started', version: string, cages: string[]}} Started
  *
- * `level` is that of the surface that the run starts from, and `group` the symmetry that it keeps. For a file, `asked` is its problem, complete except for its start, and
+ * `level` is that of the surface that the run starts from, and `group` the symmetry that it keeps; `groups` are those of the cage's faces. For a file, `asked` is its problem, complete except for its start, and
  * `report` its results.
- * @typedef {{type: 'opened', run: number, level: number, cage: CageReport, group: Group, asked?: Problem, report?:
+ * @typedef {{type: 'opened', run: number, level: number, cage: CageReport, group: Group, groups: FaceGroup[], asked?: Problem, report?:
  *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate'>}} Opened
  *
  * The current surface. `evaluations` counts all levels so far. `coarse`: `detail` will bring a finer one.

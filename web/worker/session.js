@@ -87,10 +87,10 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   /** The parts of `opened` that only a file has: its problem and results. @param {Problem | string} problem @param {Minimizer} opened */
   function fileParts(problem, opened) {
     if (typeof problem !== 'string') return {};
-    const { cage, terms, options } = opened.problem;
+    const { cage, terms, constraints, options } = opened.problem;
     const { umbilic, levels, limit, energies, certificate } = core.parseReport(problem);
     const report = umbilic === 'report' && { report: { levels, limit, energies, certificate } };
-    return { asked: { cage, terms, options }, ...report };
+    return { asked: { cage, terms, constraints, options }, ...report };
   }
 
   /** @param {Open} command */
@@ -111,8 +111,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     measuredEvaluations = -1;
     samples = [];
     surfaceOccasion.postpone();
-    const { cage, group, progress } = opened;
-    post({ type: 'opened', run, level: progress.level, cage, group, ...fileParts(command.problem, opened) });
+    const { cage, group, groups, progress } = opened;
+    post({ type: 'opened', run, level: progress.level, cage, group, groups, ...fileParts(command.problem, opened) });
     yieldThen(() => guard(command.run, () => introduce(command.run)));
     if (command.then) go(command.then === 'run' ? 'running' : 'stepping');
   }
@@ -297,6 +297,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   function exported(what) {
     if (what === 'control') return current().controlObj();
     if (what === 'limit') return current().limitObj(densityFor(patches(), SAVED_QUADS));
+    if (what === 'problem') return `${JSON.stringify(current().problem, null, 2)}\n`;
     return current().report(certification.ready() ?? undefined);
   }
 

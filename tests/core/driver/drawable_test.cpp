@@ -52,5 +52,50 @@ TEST(DrawableMesh, of_a_limit_surface_has_two_triangles_for_each_quad) {
   EXPECT_LT(volume(mesh), 8);
 }
 
+/// How many triangles are over another face than `faces` says, of a convex cage about the origin whose faces all have
+/// the same distance from it: by symmetry, the surface over a face is closer to that face's normal than to any other.
+int misplaced(const DrawableMesh& mesh, const Cage& cage) {
+  int wrong = 0;
+  for (std::size_t t = 0; t < mesh.faces.size(); ++t) {
+    Vector3 middle = Vector3::Zero();
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t v = mesh.triangles[3 * t + i];
+      middle += Vector3(mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]) + mesh.centre;
+    }
+    std::size_t nearest = 0;
+    double closest = 0;
+    for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+      Vector3 normal = Vector3::Zero();
+      for (const int v : cage.faces[f]) normal += cage.vertices.row(v).transpose();
+      if (const double cosine = middle.dot(normal.normalized()); cosine > closest) nearest = f, closest = cosine;
+    }
+    wrong += nearest != mesh.faces[t];
+  }
+  return wrong;
+}
+
+TEST(DrawableMesh, knows_the_face_of_the_cage_that_each_triangle_descends_from) {
+  Cage tetrahedron;
+  tetrahedron.vertices.resize(4, 3);
+  tetrahedron.vertices << 1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1;
+  tetrahedron.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  ASSERT_TRUE(validate(tetrahedron));
+  RunOptions options;
+  options.weights[kBending] = 1;
+  for (const Cage& cage : {*generate_cage("cube"), tetrahedron}) {
+    EXPECT_EQ(misplaced(drawable(cage), cage), 0);
+    for (const int level : {0, 1, 2, 3}) {
+      options.first_level = options.last_level = level;
+      const Result<umbilic::Run> run = umbilic::Run::create(cage, options);
+      const DrawableMesh limit = drawable(*run->limit_mesh(2)),
+                         control = drawable(run->control_mesh(), run->cage_faces());
+      for (const DrawableMesh& mesh : {limit, control}) {
+        EXPECT_EQ(3 * mesh.faces.size(), mesh.triangles.size());
+        EXPECT_EQ(misplaced(mesh, cage), 0) << "level " << level;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace umbilic

@@ -87,7 +87,7 @@ TEST(AnyPlace, the_mesh_that_a_distant_run_gives_has_the_energies_that_it_report
     for (const double offset : {1e3, 1e6, 1e9}) {
       Cage cage = *generate_cage("two-3");
       cage.vertices.array() += offset;
-      const umbilic::Run run = minimized(cage, functional, 2);
+      const umbilic::Run run = minimized(cage, functional, 1);
       const EnergyReport again = evaluate(run.control_mesh(), CapKind::kSmooth, 0)->energies;
       for (int i = 0; i < kFunctionalCount; ++i) {
         EXPECT_NEAR(again.functionals[i], run.energies().functionals[i], 1e-12 * again.functionals[i]) << offset;

@@ -14,12 +14,27 @@ inline Eigen::MatrixXd full(const Eigen::SparseMatrix<double>& lower) {
   return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
 }
 
-/// The control points' part in a patch's points, columns(set) x control_count.
-inline Eigen::MatrixXd local_points(const PatchLayout& layout, int set, int patch) {
+/// How the coordinates of all points, d * point + c, depend on unknowns. `control` is that of the d coordinates of the
+/// control points.
+inline Eigen::MatrixXd all_points(const PatchLayout& layout, int d, const Eigen::MatrixXd& control) {
+  const Eigen::SparseMatrix<double> extension(layout.extension());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(d * extension.rows(), control.cols());
+  for (int k = 0; k < extension.outerSize(); ++k) {
+    for (Eigen::SparseMatrix<double>::InnerIterator it(extension, k); it; ++it) {
+      for (int c = 0; c < d; ++c) all.row(d * it.row() + c) += it.value() * control.row(d * it.col() + c);
+    }
+  }
+  return all;
+}
+
+/// The rows of all_points that a patch reads, coordinate c of its i-th point at c * columns + i.
+inline Eigen::MatrixXd patch_points(const PatchLayout& layout, int d, const Eigen::MatrixXd& all, int set, int patch) {
   const PatchSet& patches = layout.sets()[set];
-  const Eigen::MatrixXd extension(layout.extension());
-  Eigen::MatrixXd rows(patches.columns, layout.control_count());
-  for (int i = 0; i < patches.columns; ++i) rows.row(i) = extension.row(patches.points[patches.columns * patch + i]);
+  const int columns = patches.columns;
+  Eigen::MatrixXd rows(d * columns, all.cols());
+  for (int i = 0; i < columns; ++i) {
+    for (int c = 0; c < d; ++c) rows.row(c * columns + i) = all.row(d * patches.points[columns * patch + i] + c);
+  }
   return rows;
 }
 
@@ -29,21 +44,6 @@ void for_each_patch(const PatchLayout& layout, const Visit& visit) {
   for (int s = 0; s < static_cast<int>(layout.sets().size()); ++s) {
     for (int p = 0; p < layout.sets()[s].count(); ++p) visit(s, p);
   }
-}
-
-/// Symmetric, over the points' coordinates c * columns + i, to the coordinates 3 v + c of the control points.
-inline Eigen::MatrixXd over_control(const Eigen::MatrixXd& block, const Eigen::MatrixXd& local) {
-  const Eigen::Index columns = local.rows(), count = local.cols();
-  Eigen::MatrixXd result(3 * count, 3 * count);
-  for (int c = 0; c < 3; ++c) {
-    for (int e = 0; e < 3; ++e) {
-      const Eigen::MatrixXd part = congruent(block.block(c * columns, e * columns, columns, columns), local);
-      for (Eigen::Index i = 0; i < count; ++i) {
-        for (Eigen::Index j = 0; j < count; ++j) result(3 * i + c, 3 * j + e) = part(i, j);
-      }
-    }
-  }
-  return result;
 }
 
 }  // namespace umbilic::test

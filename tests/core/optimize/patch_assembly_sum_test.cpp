@@ -62,7 +62,7 @@ constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
 TEST(PatchAssembly, of_blocks_is_the_sum_of_the_patches_matrices_times_their_multiplicities) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
-    const Eigen::MatrixXd b(c.coordinates.matrix());
+    const Eigen::MatrixXd b(c.coordinates.matrix()), points = all_points(c.layout, 3, b);
     const PatchAssembly assembly(c.layout, c.coordinates);
     PatchSums sums;
     assembly.clear(sums);
@@ -84,8 +84,7 @@ TEST(PatchAssembly, of_blocks_is_the_sum_of_the_patches_matrices_times_their_mul
         }
       }
       assembly.add(s, p, given.data(), padded, sums);
-      const Eigen::MatrixXd whole = over_control(block, local_points(c.layout, s, p));
-      expected += set.multiplicities[p] * congruent(whole, b);
+      expected += set.multiplicities[p] * congruent(block, patch_points(c.layout, 3, points, s, p));
     });
     assembly.eliminate(sums);
     ASSERT_EQ(assembly.size(), c.coordinates.count());
@@ -103,14 +102,14 @@ TEST(PatchAssembly, of_scalar_blocks_is_that_of_the_same_block_for_each_coordina
     assembly.clear(sums);
     scalar.clear(scalar_sums);
     const int count = c.layout.control_count();
+    const Eigen::MatrixXd points = all_points(c.layout, 1, Eigen::MatrixXd::Identity(count, count));
     Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(count, count);
     Random random(4);
     for_each_patch(c.layout, [&](int s, int p) {
       const PatchSet& set = c.layout.sets()[s];
       Eigen::MatrixXd block = random.matrix<Eigen::MatrixXd>(set.columns, set.columns);
       block = (block + block.transpose()).eval();
-      const Eigen::MatrixXd local = local_points(c.layout, s, p);
-      expected += set.multiplicities[p] * congruent(block, local);
+      expected += set.multiplicities[p] * congruent(block, patch_points(c.layout, 1, points, s, p));
       block.triangularView<Eigen::StrictlyUpper>().setConstant(kUnread);
       assembly.add_scalar(s, p, block, sums);
       scalar.add_scalar(s, p, block, scalar_sums);

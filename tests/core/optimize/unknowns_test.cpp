@@ -52,7 +52,7 @@ class UnknownsOfACoarserMesh : public testing::TestWithParam<bool> {};
 
 TEST_P(UnknownsOfACoarserMesh, are_subdivided) {
   const Coarse c(GetParam());
-  EXPECT_TRUE(c.unknowns.coarse());
+  EXPECT_TRUE(c.unknowns.mapped());
   EXPECT_EQ(c.unknowns.count(), c.coordinates.count());
   const Eigen::VectorXd y = near(c);
   const Points expected = refined(c.mesh, c.coordinates.control(y), 2).control;
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(FreeAndSymmetric, UnknownsOfACoarserMesh, testing::Bool
 
 TEST(Unknowns, of_the_evaluated_mesh_are_its_coordinates) {
   const Unknowns unknowns{Coordinates(4)};
-  EXPECT_FALSE(unknowns.coarse());
+  EXPECT_FALSE(unknowns.mapped());
   EXPECT_EQ(unknowns.count(), 12);
   const Points points = Random(1).points(4);
   const Eigen::VectorXd y = points.reshaped<Eigen::RowMajor>();

@@ -107,7 +107,9 @@ TEST(Text, of_a_problem_reads_back_as_the_same_problem) {
 }
 
 TEST(Text, of_a_generated_cage_shows_what_applies_to_it_with_the_segments_that_it_takes) {
-  const auto text = [](const GeneratedCage& cage) { return problem_text(Problem{.cage = cage}); };
+  const auto text = [](const GeneratedCage& cage) {
+    return problem_text(Problem{.cage = cage}, JsonPrinter::Layout::kCompact);
+  };
   const auto shows = [&](const GeneratedCage& cage, std::string_view members) {
     return text(cage).find(members) != std::string::npos;
   };
@@ -221,7 +223,8 @@ TEST(Text, errors_name_the_member) {
       {with(R"("options": {"cap": 2})"), "options.cap: expected one of none, flat, smooth"},
       {with(R"("options": {"levles": [0, 1]})"),
        "options.'levles': unknown; known are cap, levels, max_iterations, tolerance, symmetry, metric"},
-      {with(R"("constraints": {"volume": 1})"), "constraints.'volume': unknown; known are hold, free, pins"},
+      {with(R"("constraints": {"volume": 1})"),
+       "constraints.'volume': unknown; known are hold, free, pins, closeness, boundary, holes"},
       {with(R"("start": {"level": -1, "points": []})"), "start.level: -1 is negative"},
       {with(R"("start": {"level": 0, "points": [1, 2]})"), "start.points: 2 numbers, not three for each point"},
       {with(R"("start": {"level": 0, "points": [1, 2, "x"]})"), "start.points[2]: expected a number"},

@@ -35,6 +35,7 @@ describe('a surface of unit size', () => {
       normals: new Float32Array(),
       curvatures: new Float32Array(12).fill(1 / 3),
       triangles: Uint32Array.from([0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5]),
+      faces: new Uint32Array(0),
       edges: new Uint32Array(),
     };
     const area = areaOf(octahedron);
@@ -64,6 +65,7 @@ describe('curvatures spread over a surface', () => {
       normals: new Float32Array(),
       curvatures: new Float32Array(2 * (count + 4)).fill(1).fill(5, 2 * count),
       triangles: Uint32Array.from([...fine.flat(), count, count + 1, count + 2, count, count + 2, count + 3]),
+      faces: new Uint32Array(0),
       edges: new Uint32Array(),
     };
     const spread = spreadCurvatures(mesh);

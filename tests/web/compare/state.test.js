@@ -20,6 +20,7 @@ function mesh() {
     normals: new Float32Array(12),
     curvatures: new Float32Array(8).fill(1),
     triangles: Uint32Array.from([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]),
+    faces: new Uint32Array(0),
     edges: new Uint32Array(),
     spread: new Float32Array(),
   };

@@ -38,5 +38,13 @@ export function torusMesh(ratio) {
       triangles.set([a, b, c, a, c, d], 6 * vertex);
     }
   }
-  return { centre: new Float64Array(3), positions, normals, curvatures, triangles, edges: new Uint32Array() };
+  return {
+    centre: new Float64Array(3),
+    positions,
+    normals,
+    curvatures,
+    triangles,
+    faces: new Uint32Array(),
+    edges: new Uint32Array(),
+  };
 }

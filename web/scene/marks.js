@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What is drawn on the surface: the rim of what is held, and a dot at each pin. Faint where the surface hides them.
+ */
+import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from 'three';
+
+/** @import {ColorRepresentation, Material} from 'three' */
+
+/** Diameter of a pin's dot, in CSS pixels. */
+const DOT = 11;
+/** By which part of their distance marks are drawn nearer to the viewer, so that they lie on the surface. */
+const LIFT = { rim: 0.003, pin: 0.012 };
+
+/** Draws dots as discs. @param {Material} material */
+function asDiscs(material) {
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace(
+      '#include <color_fragment>',
+      '#include <color_fragment>\nif (distance(gl_PointCoord, vec2(0.5)) > 0.5) discard;',
+    );
+    lift(shader, LIFT.pin);
+  };
+}
+
+/** Moves vertices towards the viewer, which leaves them where they are on the screen. @param {{vertexShader: string}} shader @param {number} part */
+function lift(shader, part) {
+  shader.vertexShader = shader.vertexShader.replace(
+    '#include <project_vertex>',
+    `#include <project_vertex>\ngl_Position = projectionMatrix * vec4(mvPosition.xyz * ${1 - part}, 1.0);`,
+  );
+}
+
+export function createMarks() {
+  const rimGeometry = new BufferGeometry();
+  const rimSeen = new LineBasicMaterial({ transparent: true, opacity: 0.75, toneMapped: false });
+  rimSeen.onBeforeCompile = (shader) => lift(shader, LIFT.rim);
+  const rim = new LineSegments(rimGeometry, rimSeen);
+
+  const pinGeometry = new BufferGeometry();
+  const size = DOT * Math.min(window.devicePixelRatio, 2);
+  const plain = { size, sizeAttenuation: false, transparent: true, toneMapped: false };
+  const pinSeen = new PointsMaterial(plain);
+  const pinHidden = new PointsMaterial({ ...plain, opacity: 0.3, depthTest: false });
+  [pinSeen, pinHidden].forEach(asDiscs);
+  const pins = [new Points(pinGeometry, pinHidden), new Points(pinGeometry, pinSeen)];
+
+  const group = new Group();
+  group.add(rim, ...pins);
+  for (const object of group.children) object.frustumCulled = false;
+
+  return {
+    group,
+
+    /** @param {BufferGeometry} surface whose positions the edges name @param {Uint32Array} edges */
+    setRim(surface, edges) {
+      rim.visible = edges.length > 0;
+      if (!edges.length) return;
+      rimGeometry.setAttribute('position', surface.getAttribute('position'));
+      rimGeometry.setIndex(new BufferAttribute(edges, 1));
+    },
+
+    /** @param {Float32Array} positions 3 for each pin */
+    setPins(positions) {
+      for (const one of pins) one.visible = positions.length > 0;
+      pinGeometry.dispose();
+      pinGeometry.setAttribute('position', new BufferAttribute(positions, 3));
+    },
+
+    /** @param {ColorRepresentation} line @param {ColorRepresentation} dot */
+    setColours(line, dot) {
+      rimSeen.color.set(line);
+      for (const material of [pinSeen, pinHidden]) material.color.set(dot);
+    },
+
+    dispose() {
+      rimGeometry.dispose();
+      pinGeometry.dispose();
+      [rimSeen, pinSeen, pinHidden].forEach((material) => material.dispose());
+    },
+  };
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file Which triangle of a mesh a ray meets first, and which vertex of the cage is nearest to a point. Arrays only, so
+ * that a stroke of the brush over a fine mesh stays quick.
+ */
+
+/** @import {Vector3Tuple} from 'three' */
+/** @import {Mesh} from '../../wasm/types.js' */
+
+/** Where a ray meets a surface: the face of the cage, from 0, and the point. @typedef {{face: number, point: Vector3Tuple}} Hit */
+
+/**
+ * The nearest triangle that the ray meets, from either side. T. Möller & B. Trumbore 1997.
+ * @param {Pick<Mesh, 'positions' | 'triangles' | 'faces'>} mesh
+ * @param {Vector3Tuple} origin
+ * @param {Vector3Tuple} direction
+ * @returns {Hit | null}
+ */
+export function pick({ positions, triangles, faces }, [ox, oy, oz], [dx, dy, dz]) {
+  let nearest = Infinity;
+  let hit = -1;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
+    const [ax, ay, az] = [positions[a], positions[a + 1], positions[a + 2]];
+    const [ux, uy, uz] = [positions[b] - ax, positions[b + 1] - ay, positions[b + 2] - az];
+    const [vx, vy, vz] = [positions[c] - ax, positions[c + 1] - ay, positions[c + 2] - az];
+    const [px, py, pz] = [dy * vz - dz * vy, dz * vx - dx * vz, dx * vy - dy * vx];
+    const determinant = ux * px + uy * py + uz * pz;
+    if (determinant === 0) continue;
+    const [sx, sy, sz] = [ox - ax, oy - ay, oz - az];
+    const u = (sx * px + sy * py + sz * pz) / determinant;
+    if (!(u >= 0 && u <= 1)) continue;
+    const [qx, qy, qz] = [sy * uz - sz * uy, sz * ux - sx * uz, sx * uy - sy * ux];
+    const v = (dx * qx + dy * qy + dz * qz) / determinant;
+    if (!(v >= 0 && u + v <= 1)) continue;
+    const distance = (vx * qx + vy * qy + vz * qz) / determinant;
+    if (distance > 0 && distance < nearest) [nearest, hit] = [distance, t / 3];
+  }
+  if (hit < 0) return null;
+  return { face: faces[hit], point: [ox + nearest * dx, oy + nearest * dy, oz + nearest * dz] };
+}
+
+/**
+ * The vertex of the cage, among those of a face, whose limit point is nearest to a point of the surface. Refinement
+ * keeps the numbers of vertices, so the first points of a limit mesh are those of the cage's vertices.
+ * @param {Pick<Mesh, 'positions' | 'triangles' | 'faces'>} mesh
+ * @param {Hit} hit
+ * @param {number} vertices of the cage
+ * @returns {number} from 0; -1 if there is none
+ */
+export function nearestVertex({ positions, triangles, faces }, { face, point: [x, y, z] }, vertices) {
+  let nearest = -1;
+  let least = Infinity;
+  for (let i = 0; i < triangles.length; i++) {
+    const v = triangles[i];
+    if (v >= vertices || faces[Math.floor(i / 3)] !== face) continue;
+    const distance = Math.hypot(positions[3 * v] - x, positions[3 * v + 1] - y, positions[3 * v + 2] - z);
+    if (distance < least) [least, nearest] = [distance, v];
+  }
+  return nearest;
+}

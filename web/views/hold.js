@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The panel for what is held: the groups of the file, what the pointer does on the surface, changes of all faces
+ * at once, and the pins.
+ */
+import { heldFaces, heldPart, holdsTheSame, problemOfHold } from '../state/hold.js';
+import { changeWords, heldWords, pinWords, pointerWords } from '../words/holding.js';
+import { counted } from '../words/numbers.js';
+import { element, find, setText, whenChanged } from './dom.js';
+
+/** @import {Constraints, Pin} from '../../wasm/types.js' */
+/** @import {Action, HoldAction, OpenCage, Pointer, State} from '../state/types.js' */
+
+/** @type {Array<{how: Extract<HoldAction, {type: 'holdEdited'}>['how'], name: string, title: string}>} */
+const edits = [
+  { how: 'all', name: 'All', title: 'Hold all faces' },
+  { how: 'invert', name: 'Invert', title: 'Hold what is free, and free what is held' },
+  { how: 'grow', name: 'Grow', title: 'Hold the faces around those that are held, too' },
+  { how: 'clear', name: 'Clear', title: 'Free all faces' },
+];
+
+/**
+ * @param {HTMLElement} root
+ * @param {(action: Action) => void} dispatch
+ */
+export function createHoldView(root, dispatch) {
+  const listening = new AbortController();
+  const { signal } = listening;
+  const groups = find(root, '#groups');
+  const groupList = find(groups, '.list');
+  const pointers = find(root, '#pointer');
+  const words = find(root, '#pointer-words');
+  const changes = find(root, '#hold-edits');
+  const count = find(root, '#held-count');
+  const change = find(root, '#hold-change');
+  const problem = find(root, '#hold-problem');
+  const pinning = /** @type {HTMLFormElement} */ (find(root, '#pin-vertex'));
+  const number = /** @type {HTMLInputElement} */ (find(pinning, 'input'));
+  const pinList = find(root, '#pins');
+
+  const radios = Object.entries(pointerWords).map(([pointer, { name, words: title }]) => {
+    const input = element('input', { type: 'radio', name: 'pointer', value: pointer });
+    pointers.append(element('label', { title: title || 'Drag to turn the surface' }, input, element('span', {}, name)));
+    input.addEventListener(
+      'change',
+      () => dispatch({ type: 'viewChanged', change: { pointer: /** @type {Pointer} */ (pointer) } }),
+      { signal },
+    );
+    return input;
+  });
+  for (const { how, name, title } of edits) {
+    const button = element('button', { type: 'button', title }, name);
+    button.addEventListener('click', () => dispatch({ type: 'holdEdited', how }), { signal });
+    changes.append(button);
+  }
+  pinning.addEventListener(
+    'submit',
+    (event) => {
+      event.preventDefault();
+      dispatch({ type: 'vertexPinned', vertex: number.valueAsNumber });
+      number.value = '';
+    },
+    { signal },
+  );
+
+  /** @type {Array<{group: OpenCage['groups'][number], input: HTMLInputElement}>} */
+  let boxes = [];
+  const showGroups = whenChanged((/** @type {OpenCage | null} */ cage) => {
+    groups.hidden = !cage?.groups.length;
+    boxes = (cage?.groups ?? []).map((group) => {
+      const input = element('input', { type: 'checkbox' });
+      const { name } = group;
+      input.addEventListener('change', () => dispatch({ type: 'groupHeld', name, held: input.checked }), { signal });
+      return { group, input };
+    });
+    groupList.replaceChildren(
+      ...boxes.map(({ group: { name, faces }, input }) =>
+        element(
+          'label',
+          {},
+          input,
+          element('span', { class: 'name' }, name),
+          element('span', { class: 'note' }, counted(faces.length, 'face')),
+        ),
+      ),
+    );
+    number.max = String(cage?.counts.vertices ?? 1);
+  });
+
+  const showPins = whenChanged((/** @type {Pin[] | undefined} */ pins = []) => {
+    const focused = pinList.contains(document.activeElement);
+    pinList.hidden = !pins.length;
+    pinList.replaceChildren(
+      ...pins.map((pin, index) => {
+        const name = pinWords(pin);
+        const remove = element(
+          'button',
+          { type: 'button', class: 'quiet', 'aria-label': `Remove the pin: ${name}` },
+          '✕',
+        );
+        remove.addEventListener('click', () => dispatch({ type: 'pinRemoved', index }), { signal });
+        return element('li', {}, element('span', { class: 'dot' }), element('span', {}, name), remove);
+      }),
+    );
+    // The button that was pressed is gone.
+    if (focused) (pinList.querySelector('button') ?? radios.find(({ checked }) => checked))?.focus();
+  });
+
+  const show = whenChanged(
+    (/** @type {Constraints} */ constraints, /** @type {OpenCage | null} */ cage, /** @type {Pointer} */ pointer) => {
+      showGroups(cage);
+      const held = heldFaces(constraints, cage);
+      const total = held.reduce((sum, one) => sum + one, 0);
+      for (const { group, input } of boxes) {
+        const part = heldPart(group, held);
+        input.checked = part === 'all';
+        input.indeterminate = part === 'some';
+      }
+      for (const input of radios) input.checked = input.value === pointer;
+      setText(words, pointerWords[pointer].words);
+      words.hidden = pointer === 'turn';
+      changes.hidden = pointer !== 'hold' && pointer !== 'free';
+      pinning.hidden = pointer !== 'pin';
+      setText(count, cage ? heldWords(total, held.length) : '');
+      showPins(constraints.pins);
+    },
+  );
+
+  return {
+    /** @param {State} state */
+    update(state) {
+      const { settings, runSettings, cage, status, view } = state;
+      show(settings.constraints, cage, view.pointer);
+      setText(change, changeWords(!holdsTheSame(settings, runSettings), status));
+      setText(problem, problemOfHold(state) ?? '');
+    },
+    dispose: () => listening.abort(),
+  };
+}
+
+/** The word for held parts beside the colours. @param {HTMLElement} root */
+export function createHeldKeyView(root) {
+  const show = whenChanged((/** @type {Constraints} */ constraints, /** @type {OpenCage | null} */ cage) => {
+    root.hidden = !heldFaces(constraints, cage).some(Boolean);
+  });
+  return {
+    /** @param {State} state */
+    update: ({ settings, cage }) => show(settings.constraints, cage),
+    dispose() {},
+  };
+}
