@@ -177,6 +177,29 @@
  */
 
 /**
+ * How strongly something held is pulled, in energy per length: the derivative of the minimal energy by its position. Moved
+ * against `pull`, the energy falls.
+ * @typedef {{pull: [number, number, number], strength: number}} Pull
+ * A pin by its number from 1. `off_surface` is the distance of its point from the surface, whose caps let go of it a little;
+ * `turned_over` is true if the surface has its inside where the held normal points.
+ * @typedef {Pull & {pin: number, position: [number, number, number], off_surface: number, turned_over: boolean}} PinReport
+ * Held faces that hang together; `first_face` counts from 1.
+ * @typedef {Pull & {faces: number, first_face: number}} HeldRegionReport
+ */
+
+/**
+ * What the constraints of a run do to its best surface.
+ * @typedef {object} ConstraintsReport
+ * @property {number} held_faces of the cage
+ * @property {number} free_faces
+ * @property {number} deviation largest distance from the cage's own surface, between points with the same parameters
+ * @property {number} [closeness] the weight w of w ∫ |X − X₀|² dA, where the surface is kept near the cage's own
+ * @property {HeldRegionReport[]} regions
+ * @property {PinReport[]} pins
+ * @property {string[]} notes what else a user should know, a sentence each
+ */
+
+/**
  * @typedef {{vertices: number, edges: number, faces: number, genus: number}} CageCounts
  * `boundaries` is the number of its boundary loops.
  * @typedef {CageCounts & {boundaries: number}} CageComponent
@@ -204,6 +227,7 @@
  * @property {LevelReport[]} levels
  * @property {Limit} limit
  * @property {Energies} energies
+ * @property {ConstraintsReport} [constraints] where something is held, or the surface is open
  * @property {CertificateReport} [certificate]
  * @property {SurfaceState} surface
  */

@@ -103,7 +103,9 @@ describe('an open cage', () => {
 
   test.each(readers.slice(1))('is refused by %s where too many faces meet on its boundary', (...command) => {
     const count = 13;
-    const rim = [...Array(count + 1).keys()].map((k) => `v ${Math.cos((k * 3) / count)} ${Math.sin((k * 3) / count)} 0`);
+    const rim = [...Array(count + 1).keys()].map(
+      (k) => `v ${Math.cos((k * 3) / count)} ${Math.sin((k * 3) / count)} 0`,
+    );
     const faces = [...Array(count).keys()].map((k) => `f 1 ${k + 2} ${k + 3}`);
     expect(umbilic([...command, '-'], { input: ['v 0 0 0', ...rim, ...faces].join('\n') })).toEqual({
       code: 3,

@@ -21,7 +21,9 @@ const dome = (() => {
   const at = (/** @type {number} */ ring, /** @type {number} */ k) => ring * around + (k % around) + 1;
   const quads = rings
     .slice(1)
-    .flatMap((ring) => steps.map((k) => `f ${at(ring - 1, k)} ${at(ring - 1, k + 1)} ${at(ring, k + 1)} ${at(ring, k)}`));
+    .flatMap((ring) =>
+      steps.map((k) => `f ${at(ring - 1, k)} ${at(ring - 1, k + 1)} ${at(ring, k + 1)} ${at(ring, k)}`),
+    );
   const fan = steps.map((k) => `f ${at(3, k)} ${at(3, k + 1)} ${4 * around + 1}`);
   return `${[...points, 'v 0 0 1', ...quads, ...fan].join('\n')}\n`;
 })();
@@ -40,13 +42,12 @@ describe('an open surface', () => {
   });
 
   test('is minimized with its tangents held, and the table says what became of it', () => {
-    const out = outputOf(
-      ['optimize', '-', '--functional', 'bending', '--boundary', 'tangent', '--levels', '0', '-q'],
-      { input: dome },
-    );
+    const out = outputOf(['optimize', '-', '--functional', 'bending', '--boundary', 'tangent', '--levels', '0', '-q'], {
+      input: dome,
+    });
     expect(out).toMatch(/^standard input: \d+ vertices, \d+ edges, \d+ faces, genus 0, 1 boundary$/m);
     expect(out).toMatch(/^ {2}bending +10\.\d+ {3}= /m); // a part of a sphere: twice its Willmore energy
-    expect(out).toMatch(/^ {2}willmore +5\.\d+ {3}= /m)
+    expect(out).toMatch(/^ {2}willmore +5\.\d+ {3}= /m);
     expect(out).toMatch(/^ {2}boundary_turning +-?\d/m);
     expect(out).toMatch(/^ {2}largest deviation from the cage's own surface \d/m);
   });
