@@ -170,9 +170,33 @@
  * energy proves that the surface does not touch itself. `input_rounding`, only for a cage far from the origin, is the largest
  * relative change of each functional that the rounding of the coordinates can cause. `free`, only where faces are held, is what
  * is minimized: the energies of the free faces, where third-order functionals have the constant factor `area_factor`.
+ * `boundary_turning`, only of an open surface, is how much its boundary turns, with its corners.
  * @typedef {Record<FunctionalName | 'area' | 'area_factor', number>} FreeEnergies
  * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number> & {resolved: boolean, below_bound: boolean,
- *   embedded: boolean, input_rounding?: Record<FunctionalName, number>, free?: FreeEnergies}} Energies
+ *   embedded: boolean, input_rounding?: Record<FunctionalName, number>, free?: FreeEnergies, boundary_turning?: number}} Energies
+ */
+
+/**
+ * How strongly something held is pulled, in energy per length: the derivative of the minimal energy by its position. Moved
+ * against `pull`, the energy falls.
+ * @typedef {{pull: [number, number, number], strength: number}} Pull
+ * A pin by its number from 1. `off_surface` is the distance of its point from the surface, whose caps let go of it a little;
+ * `turned_over` is true if the surface has its inside where the held normal points.
+ * @typedef {Pull & {pin: number, position: [number, number, number], off_surface: number, turned_over: boolean}} PinReport
+ * Held faces that hang together; `first_face` counts from 1.
+ * @typedef {Pull & {faces: number, first_face: number}} HeldRegionReport
+ */
+
+/**
+ * What the constraints of a run do to its best surface.
+ * @typedef {object} ConstraintsReport
+ * @property {number} held_faces of the cage
+ * @property {number} free_faces
+ * @property {number} deviation largest distance from the cage's own surface, between points with the same parameters
+ * @property {number} [closeness] the weight w of w ∫ |X − X₀|² dA, where the surface is kept near the cage's own
+ * @property {HeldRegionReport[]} regions
+ * @property {PinReport[]} pins
+ * @property {string[]} notes what else a user should know, a sentence each
  */
 
 /**
@@ -203,6 +227,7 @@
  * @property {LevelReport[]} levels
  * @property {Limit} limit
  * @property {Energies} energies
+ * @property {ConstraintsReport} [constraints] where something is held, or the surface is open
  * @property {CertificateReport} [certificate]
  * @property {SurfaceState} surface
  */

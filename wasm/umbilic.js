@@ -108,7 +108,7 @@ export const torusEnergies = (ratio) => valueFrom('torus_energies', ratio);
 export const torusMinimizer = (terms) =>
   withText(JSON.stringify(terms), (pointer, length) => valueFrom('torus_minimizer', pointer, length));
 
-/** A control cage: orientable, manifold, closed or with boundaries. Only closed ones have a mesh and can be minimized. */
+/** A control cage: orientable, manifold, closed or with boundaries. */
 export class Cage {
   #handle;
 

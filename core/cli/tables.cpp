@@ -97,6 +97,9 @@ std::string energy_table(const EnergyReport& energies, const std::string& object
   }
   text += area_line(energies.area);
   text += energy_line("gaussian", energies.gaussian, ratio(energies.gaussian, 4 * kPi, "4 pi"));
+  if (const auto turning = energies.boundary_turning) {
+    text += energy_line("boundary_turning", *turning, ratio(*turning, 2 * kPi, "2 pi"));
+  }
   if (std::isfinite(energies.quadrature_error)) {
     text += fmt::format("  quadrature error of {}: {:.1e}\n", objective, energies.quadrature_error);
   }
@@ -139,9 +142,10 @@ std::string credibility_lines(const EnergyReport& energies) {
         "surface's\n";
   }
   if (!energies.resolved) {
-    text +=
-        "warning: the Gaussian curvature does not add up to 2 pi times the Euler characteristic: some "
-        "hides in folds or necks,\nand these energies are not the surface's\n";
+    text += fmt::format(
+        "warning: the Gaussian curvature does not add up{} to 2 pi times the Euler characteristic: some "
+        "hides in folds or necks,\nand these energies are not the surface's\n",
+        energies.boundary_turning ? " with the boundary's turning" : "");
   }
   if (energies.embedded) {
     text += "embedded: with a Willmore energy below 8 pi no surface touches or crosses itself (Li & Yau 1982)\n";

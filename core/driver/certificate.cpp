@@ -38,7 +38,7 @@ Eigen::MatrixXd in_unknowns(const Eigen::MatrixXd& directions, const Unknowns& u
   for (Eigen::Index i = 0; i < directions.cols(); ++i) {
     result.col(i) = unknowns.direction(Eigen::Map<const Points>(directions.col(i).data(), directions.rows() / 3, 3));
   }
-  if (unknowns.mapped()) orthonormalize(result);
+  if (unknowns.mapped() || unknowns.count() < directions.rows()) orthonormalize(result);
   return result;
 }
 
@@ -65,12 +65,13 @@ struct Certificate::State {
         unknowns(free_unknowns(cage, cap)),
         assembly(surface.layout(), unknowns, weights, minimizing_rule(cap, weights, quadrature), kUmbilicEta,
                  fixed_area, surface.closeness()) {
-    assembly.begin(cage.control);
     report.level = cage.level;
     report.unknowns = unknowns.count();
     report.tau = kCertificateTau;
     gauge = in_unknowns(free_gauge(cage, gauge_of(weights)), unknowns);
     report.gauge = static_cast<int>(gauge.cols());
+    ended = unknowns.count() == 0;
+    if (!ended) assembly.begin(cage.control);
   }
 
   double progress() const {
@@ -139,10 +140,11 @@ Certificate& Certificate::operator=(Certificate&&) noexcept = default;
 Certificate::~Certificate() = default;
 
 bool Certificate::step() {
+  if (state_->ended) return true;
   if (!state_->assembled) {
     state_->assembled = state_->assembly.advance();
     if (state_->assembled) state_->factor.begin(state_->assembly.combine(1, state_->report.tau));
-  } else if (!state_->ended && state_->factor.advance()) {
+  } else if (state_->factor.advance()) {
     state_->judge();
   }
   state_->furthest = std::max(state_->furthest, state_->progress());

@@ -268,6 +268,7 @@ bool Level::should_check_rule() const {
 
 bool Level::needs_finer_rule(const EnergyReport& energies) const {
   if (options_.quadrature >= kFinestRules || lbfgs_->iterations() >= options_.max_iterations) return false;
+  if (unknowns_.count() == 0) return false;  // what cannot move exploits nothing
   // A wider cap may let a level begin far above the one before; returning from there is no gain.
   const double start = std::min(*start_energy_, options_.energy_before);
   return exploits_quadrature(options_.weights, start, lbfgs_->best_value(), surface_.objective(energies));

@@ -68,6 +68,7 @@ class Level {
   /// Whether the surface is evaluated on the mesh whose points are moved.
   bool evaluable() const { return surface_.level() == start_.level; }
   int quadrature() const { return options_.quadrature; }
+  int unknowns() const { return unknowns_.count(); }
   /// Whether the level's convergence says little: it seemed to converge above the level before, or in an uninformative
   /// metric.
   bool doubtful() const { return strict_ || uninformative_metrics_ > 0; }

@@ -302,6 +302,10 @@ std::optional<ConstraintsReport> Run::constraints() const {
   const Surface& surface = state_->level->surface();
   if (!surface.cage().is_constrained()) return std::nullopt;
   ConstraintsReport report = constraints_report(surface, state_->level->best(), state_->held_regions);
+  if (state_->level->unknowns() == 0) {
+    report.notes.push_back(fmt::format("on level {} nothing can move: what is held determines all control points",
+                                       state_->level->number()));
+  }
   if (state_->search && !state_->search->binds()) {
     report.notes.push_back("the surface stays within the distance by itself: nothing pulls it");
   }

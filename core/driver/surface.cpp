@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "driver/contradiction.h"
 #include "driver/gauss_bonnet.h"
@@ -110,10 +111,38 @@ RefinedCage refine(RefinedCage cage, int steps) {
   return cage;
 }
 
+namespace {
+
+/// The vertices that touch no face on which the limit surface depends.
+std::vector<bool> beyond_surface(const PolygonMesh& mesh) {
+  std::vector<bool> beyond(mesh.vertex_count(), true);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto corner = [&](int i) { return mesh.origin(mesh.halfedge(f, i)); };
+    bool touches = false;
+    for (int i = 0; i < mesh.face_size(f); ++i) touches = touches || mesh.on_surface(corner(i));
+    if (!touches || mesh.role(f) == FaceRole::kOuter) continue;
+    for (int i = 0; i < mesh.face_size(f); ++i) beyond[corner(i)] = false;
+  }
+  return beyond;
+}
+
+}  // namespace
+
 HeldPoints held_points(const RefinedCage& cage, CapKind cap) {
-  if (cage.held.empty()) return {};
-  const PatchLayout held(cage.mesh, cap, face_orbits(cage.mesh, {}), cage.held, Part::kHeld);
-  return {held.used_control_points(), cage.own};
+  std::vector<bool> held;
+  if (!cage.held.empty()) {
+    held = PatchLayout(cage.mesh, cap, face_orbits(cage.mesh, {}), cage.held, Part::kHeld).used_control_points();
+  }
+  if (cage.mesh.is_open()) {
+    const std::vector<bool> beyond = beyond_surface(cage.mesh);
+    for (int v = 0; v < cage.mesh.vertex_count(); ++v) {
+      if (!beyond[v]) continue;
+      held.resize(cage.mesh.vertex_count(), false);
+      held[v] = true;
+    }
+  }
+  if (held.empty()) return {};
+  return {std::move(held), cage.own};
 }
 
 Cage to_cage(const PolygonMesh& mesh, Points control) {
@@ -211,7 +240,7 @@ EnergyReport Surface::report(const Points& control) const {
   report.functionals = whole.functionals;
   report.area = in_own_units(whole.area);
   report.gaussian = whole.gaussian;
-  if (whole_ || fixed_area_) {
+  if (whole_ || (fixed_area_ && third_order(weights_))) {
     report.free.emplace();
     report.free->functionals = free.functionals;
     report.free->area = in_own_units(free.area);

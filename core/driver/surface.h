@@ -53,7 +53,8 @@ double faces_after(const PolygonMesh& cage, int steps);
 Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints = {});
 /// The cage after `steps` further Catmull-Clark steps.
 RefinedCage refine(RefinedCage cage, int steps);
-/// The control points that the surface over held faces depends on, which stay where the cage's own surface has them.
+/// The control points that the surface over held faces depends on, which stay where the cage's own surface has them;
+/// and those of holes beyond the first ring, on which no surface depends, so that no energy could tell where they go.
 /// The mesh must be evaluable if faces are held.
 HeldPoints held_points(const RefinedCage& cage, CapKind cap);
 /// The polygons of a mesh's surface, with corners in the order of its half-edges. Of an open surface that has been
