@@ -62,8 +62,8 @@ describe('an open surface', () => {
     expect(usual.energies).toEqual(tangent.energies);
     expect(tangent.problem.constraints).toEqual({ boundary: { condition: 'tangent', loops: [] } });
     const [free, position] = ['free', 'position'].map((condition) => run('--boundary', condition).energies.bending);
-    expect(free).toBeLessThan(position);
-    expect(position).toBeLessThan(tangent.energies.bending + 1e-9);
+    for (const flat of [free, position]) expect(flat).toBeLessThan(1e-12); // the boundary lies in a plane
+    expect(tangent.energies.bending).toBeGreaterThan(10);
   });
 
   test('whose cage says nothing of curvature at its boundary is refused where that is to be held', () => {
