@@ -138,20 +138,20 @@ TEST(BoundaryConditions, of_curvature_need_data) {
 /// is left is the error of the circle of the boundary, a spline.
 TEST(BoundaryConditions, of_curvature_find_the_cylinder_for_mvs_cross) {
   double before = 0;
-  for (const int around : {16, 32}) {
+  for (const int around : {10, 20}) {
     CageOptions options;
     options.major_segments = around;
     options.minor_segments = around / 2;
     const Cage cage = *generate_cage("cylinder", options);
     Cage disturbed = cage;
     for (Eigen::Index v = 0; v < cage.vertices.rows(); ++v) {
-      if (std::abs(cage.vertices(v, 2)) > 0.5) continue;  // C, D and E stay
+      if (std::abs(cage.vertices(v, 2)) > 1 - 1.5 * (4. / around)) continue;  // C, D and E stay
       for (int c = 0; c < 3; ++c)
         disturbed.vertices(v, c) += 0.05 * std::sin(1. + 7. * static_cast<double>(v) + 3. * c);
     }
-    const umbilic::Run run = finished(disturbed, "mvs_cross", 0, at_boundary(BoundaryCondition::kCurvature));
+    const umbilic::Run run = finished(disturbed, "mvs_cross", 0, at_boundary(BoundaryCondition::kCurvature), 1e-5);
     const double floor = run.result().energy_reported;
-    EXPECT_LT(floor, 1e-2 * evaluate(disturbed, CapKind::kSmooth, 0)->energies.functionals[kMvsCross]);
+    EXPECT_LT(floor, 0.05 * evaluate(disturbed, CapKind::kSmooth, 0)->energies.functionals[kMvsCross]);
     if (before > 0) {
       EXPECT_LT(floor, before / 6);
     }
