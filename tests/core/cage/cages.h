@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cage/cage.h"
+#include "cage/generate.h"
 #include "cage/read.h"
 
 namespace umbilic::test {
@@ -35,6 +36,15 @@ inline Cage cage_of(std::string_view text) {
   Result<Cage> cage = read_cage(text);
   EXPECT_TRUE(cage.ok()) << cage.error().message;
   return cage ? std::move(cage).value() : Cage{};
+}
+
+inline Cage generated(std::string_view name) { return generate_cage(name).value(); }
+
+/// Of a cage that must be valid.
+inline CageReport report_of(Cage cage) {
+  const Result<CageReport> report = validate(cage);
+  EXPECT_TRUE(report.ok()) << report.error().message;
+  return report ? *report : CageReport{};
 }
 
 /// `tetrahedron` without regard to what stands around it: 4 vertices at the corners of a cube, 4 triangles.

@@ -62,12 +62,12 @@ Cage without_star(Cage cage, int vertex) {
   return cage;
 }
 
-std::vector<int> valences(const Cage& cage) {
-  std::vector<int> valences(cage.vertices.rows(), 0);
+std::vector<int> edge_counts(const Cage& cage) {
+  std::vector<int> counts(cage.vertices.rows(), 0);
   for (const std::vector<int>& face : cage.faces) {
-    for (const int v : face) ++valences[v];
+    for (const int v : face) ++counts[v];
   }
-  return valences;
+  return counts;
 }
 
 /// The neighbour of a vertex that is not below `first`, or -1.
@@ -87,7 +87,7 @@ double shortest_distance(const Points& points) {
 }
 
 int euler_characteristic(const Cage& cage) {
-  const std::vector<int> used = valences(cage);
+  const std::vector<int> used = edge_counts(cage);
   const auto vertices = used.size() - std::count(used.begin(), used.end(), 0);
   const std::vector<EdgeUse> uses = edge_uses(cage);
   int edges = 0;
@@ -144,7 +144,7 @@ TEST(Fill, closes_both_ends_of_a_tube_of_any_number_of_sides_to_a_sphere_of_quad
 TEST(Fill, leaves_the_vertices_of_a_smooth_loop_regular_and_makes_few_others) {
   const auto expect = [](int n, const std::map<int, int>& extraordinary) {
     const FilledCage filled = expect_closed(tube(n, 2));
-    const std::vector<int> valence = valences(filled.cage);
+    const std::vector<int> valence = edge_counts(filled.cage);
     for (const FilledLoop& loop : filled.loops) {
       std::map<int, int> found;
       for (const int v : loop.vertices) {
@@ -167,18 +167,18 @@ TEST(Fill, gives_a_hole_the_vertex_back_whose_faces_were_taken) {
   options.minor_segments = 9;
   const Cage torus = *generate_cage("torus", options);
   const FilledCage filled = expect_closed(without_star(torus, 20));
-  EXPECT_EQ(valences(filled.cage).back(), 4);
+  EXPECT_EQ(edge_counts(filled.cage).back(), 4);
   EXPECT_EQ(filled.loops[0].faces.size(), 4u);
   // The axis points of a flag cage have valence 2 · arms; each is alone within its quads.
   for (const char* name : {"two-3", "two-5", "tetrahedron-frame"}) {
     const Cage frame = *generate_cage(name);
-    const std::vector<int> valence = valences(frame);
+    const std::vector<int> valence = edge_counts(frame);
     const auto axis = std::max_element(valence.begin(), valence.end()) - valence.begin();
     const FilledCage restored = expect_closed(without_star(frame, static_cast<int>(axis)));
     EXPECT_EQ(restored.loops[0].vertices.size(), 1u) << name;
-    EXPECT_EQ(valences(restored.cage).back(), valence[axis]) << name;
+    EXPECT_EQ(edge_counts(restored.cage).back(), valence[axis]) << name;
     EXPECT_FALSE(restored.refined);
-    std::vector<int> again = valences(restored.cage);
+    std::vector<int> again = edge_counts(restored.cage);
     again.erase(again.begin() + axis);
     std::vector<int> before = valence;
     before.erase(before.begin() + axis);
@@ -194,7 +194,7 @@ TEST(Fill, refines_first_where_a_single_quad_or_triangle_was_taken_out) {
   EXPECT_TRUE(filled.refined);
   EXPECT_EQ(filled.loops[0].faces.size(), 4u);
   EXPECT_EQ(filled.loops[0].vertices.size(), 1u);
-  for (const int n : valences(filled.cage)) EXPECT_EQ(n, 4);
+  for (const int n : edge_counts(filled.cage)) EXPECT_EQ(n, 4);
 
   Cage octahedron;
   octahedron.vertices.resize(6, 3);

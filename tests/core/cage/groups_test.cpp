@@ -28,7 +28,7 @@ std::string groups_between(const std::array<std::string, 4>& lines) {
   return groups_of(cage_of(text));
 }
 
-std::string refusal(std::string_view text, const ReadLimits& limits = {}) {
+std::string error_within(std::string_view text, const ReadLimits& limits = {}) {
   const Result<CheckedCage> cage = read_checked_cage(text, limits);
   return cage ? "" : cage.error().message;
 }
@@ -102,19 +102,20 @@ TEST(Groups, are_written_and_read_back_the_same) {
 TEST(Groups, that_are_too_many_or_too_large_are_refused_at_their_line) {
   std::string many(kTetrahedronVertices);
   for (int i = 0; i < 100'000; ++i) many += fmt::format("g part{}\nf 1 2 3\n", i);
-  EXPECT_EQ(refusal(many), "line 20005: more than 10000 groups: the file is too large");
+  EXPECT_EQ(error_within(many), "line 20005: more than 10000 groups: the file is too large");
 
   ReadLimits limits;
   limits.groups = 2;
-  EXPECT_EQ(refusal(tetrahedron_obj() + "g a b\ng b a\no a\n", limits), "");
-  EXPECT_EQ(refusal(tetrahedron_obj() + "g a b\no c\n", limits), "line 10: more than 2 groups: the file is too large");
+  EXPECT_EQ(error_within(tetrahedron_obj() + "g a b\ng b a\no a\n", limits), "");
+  EXPECT_EQ(error_within(tetrahedron_obj() + "g a b\no c\n", limits),
+            "line 10: more than 2 groups: the file is too large");
   limits.memberships = 7;
-  EXPECT_EQ(refusal("g a b\n" + tetrahedron_obj(), limits),
+  EXPECT_EQ(error_within("g a b\n" + tetrahedron_obj(), limits),
             "line 9: more than 7 faces in all groups together: the file is too large");
   limits.memberships = 8;
-  EXPECT_EQ(refusal("g a b\n" + tetrahedron_obj(), limits), "");
-  EXPECT_EQ(refusal("g " + std::string(256, 'x') + "\n" + tetrahedron_obj()), "");
-  EXPECT_EQ(refusal("v 1 2 3\no x " + std::string(255, 'x') + "\n" + tetrahedron_obj()),
+  EXPECT_EQ(error_within("g a b\n" + tetrahedron_obj(), limits), "");
+  EXPECT_EQ(error_within("g " + std::string(256, 'x') + "\n" + tetrahedron_obj()), "");
+  EXPECT_EQ(error_within("v 1 2 3\no x " + std::string(255, 'x') + "\n" + tetrahedron_obj()),
             "line 2: a group's name of more than 256 bytes");
 }
 

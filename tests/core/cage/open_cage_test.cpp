@@ -15,14 +15,6 @@ namespace {
 
 using Loops = std::vector<std::vector<int>>;
 
-Cage generated(std::string_view name) { return generate_cage(name).value(); }
-
-CageReport report_of(Cage cage) {
-  const Result<CageReport> report = validate(cage);
-  EXPECT_TRUE(report.ok()) << report.error().message;
-  return report ? *report : CageReport{};
-}
-
 std::string refusal_of(Cage cage) {
   const Result<CageReport> report = validate(cage);
   return report ? "" : report.error().message;

@@ -280,27 +280,27 @@ TEST(OpenCages, are_refused_out_of_range_by_name) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {0., -1., nan, 101., std::numeric_limits<double>::infinity()}) {
     for (const char* name : {"disk", "cylinder", "spherical-cap", "n-sided"}) {
-      const std::string message = refusal(name, {.radius = bad});
+      const std::string message = option_error(name, {.radius = bad});
       EXPECT_EQ(message.rfind("radius ", 0), 0u) << message;
       EXPECT_NE(message.find(" is not between 0.01 and 100"), std::string::npos) << message;
     }
-    EXPECT_EQ(refusal("cylinder", {.height = bad}).rfind("height ", 0), 0u);
-    EXPECT_EQ(refusal("catenoid", {.height = bad}).rfind("height ", 0), 0u);
-    EXPECT_EQ(refusal("catenoid", {.waist = bad}).rfind("waist ", 0), 0u);
+    EXPECT_EQ(option_error("cylinder", {.height = bad}).rfind("height ", 0), 0u);
+    EXPECT_EQ(option_error("catenoid", {.height = bad}).rfind("height ", 0), 0u);
+    EXPECT_EQ(option_error("catenoid", {.waist = bad}).rfind("waist ", 0), 0u);
   }
-  EXPECT_EQ(refusal("catenoid", {.height = 6, .waist = 0.5}), "height 6 is not between 0.01 and 5");
-  EXPECT_EQ(refusal("spherical-cap", {.half_angle = 180}), "half_angle 180 is not between 1 and 179");
-  EXPECT_EQ(refusal("spherical-cap", {.half_angle = nan}), "half_angle nan is not between 1 and 179");
-  EXPECT_EQ(refusal("disk", {.major_segments = 30}), "30 segments around are not 8 to 1000 and divisible by 4");
-  EXPECT_EQ(refusal("disk", {.minor_segments = 1}), "1 segments across are not 2 to 200");
-  EXPECT_EQ(refusal("cylinder", {.major_segments = 1001}), "1001 segments around are not 8 to 1000");
-  EXPECT_EQ(refusal("cylinder", {.minor_segments = 2}), "2 segments across are not 3 to 1000");
-  EXPECT_EQ(refusal("cylinder", {.minor_segments = -1}), "-1 segments across are not 3 to 1000");
-  EXPECT_EQ(refusal("n-sided", {.sides = 13}), "sides 13 is not between 3 and 12");
-  EXPECT_EQ(refusal("n-sided", {.major_segments = 5}), "5 segments along a side are not 2 to 100 and even");
-  EXPECT_EQ(refusal("n-sided", {.major_segments = 8, .minor_segments = 3}),
+  EXPECT_EQ(option_error("catenoid", {.height = 6, .waist = 0.5}), "height 6 is not between 0.01 and 5");
+  EXPECT_EQ(option_error("spherical-cap", {.half_angle = 180}), "half_angle 180 is not between 1 and 179");
+  EXPECT_EQ(option_error("spherical-cap", {.half_angle = nan}), "half_angle nan is not between 1 and 179");
+  EXPECT_EQ(option_error("disk", {.major_segments = 30}), "30 segments around are not 8 to 1000 and divisible by 4");
+  EXPECT_EQ(option_error("disk", {.minor_segments = 1}), "1 segments across are not 2 to 200");
+  EXPECT_EQ(option_error("cylinder", {.major_segments = 1001}), "1001 segments around are not 8 to 1000");
+  EXPECT_EQ(option_error("cylinder", {.minor_segments = 2}), "2 segments across are not 3 to 1000");
+  EXPECT_EQ(option_error("cylinder", {.minor_segments = -1}), "-1 segments across are not 3 to 1000");
+  EXPECT_EQ(option_error("n-sided", {.sides = 13}), "sides 13 is not between 3 and 12");
+  EXPECT_EQ(option_error("n-sided", {.major_segments = 5}), "5 segments along a side are not 2 to 100 and even");
+  EXPECT_EQ(option_error("n-sided", {.major_segments = 8, .minor_segments = 3}),
             "3 segments across are not half of the 8 along a side");
-  for (const int across : {3, 4, 5, 40}) EXPECT_EQ(refusal("catenoid", {.minor_segments = across}), "") << across;
+  for (const int across : {3, 4, 5, 40}) EXPECT_EQ(option_error("catenoid", {.minor_segments = across}), "") << across;
 }
 
 TEST(OpenCages, have_quads_about_square_at_their_boundary_by_default) {

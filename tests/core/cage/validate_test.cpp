@@ -14,14 +14,6 @@ namespace umbilic::test {
 
 namespace {
 
-Cage generated(std::string_view name) { return generate_cage(name).value(); }
-
-CageReport report_of(Cage cage) {
-  const Result<CageReport> report = validate(cage);
-  EXPECT_TRUE(report.ok()) << report.error().message;
-  return report ? *report : CageReport{};
-}
-
 std::string error_of(Cage cage) {
   const Cage before = cage;
   const Result<CageReport> report = validate(cage);

@@ -17,10 +17,8 @@
 namespace umbilic {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-umbilic::Run finished(const Cage& cage, const char* functional, int last_level, const Constraints& constraints = {},
-                      double tolerance = 1e-8) {
+umbilic::Run bounded(const Cage& cage, const char* functional, int last_level, const Constraints& constraints = {},
+                     double tolerance = 1e-8) {
   RunOptions options;
   options.weights = *weights_of(functional);
   options.last_level = last_level;
@@ -67,7 +65,7 @@ TEST(BoundaryConditions, clamped_surfaces_of_revolution_have_their_minimum) {
     CageOptions options;
     options.radius = alpha;
     options.major_segments = 32;
-    const umbilic::Run run = finished(*generate_cage("cylinder", options), "willmore", 0);
+    const umbilic::Run run = bounded(*generate_cage("cylinder", options), "willmore", 0);
     EXPECT_NEAR(run.energies().functionals[kWillmore], expected, 5e-4 * expected) << alpha;
     EXPECT_EQ(run.result().stop, StopReason::kConverged) << alpha;
   }
@@ -78,8 +76,8 @@ TEST(BoundaryConditions, parts_of_a_sphere_are_found_from_their_boundary_tangent
     CageOptions options;
     options.half_angle = theta;
     Cage cage = *generate_cage("spherical-cap", options);
-    const umbilic::Run run = finished(cage, "willmore", 0);
-    const double expected = 2 * kPi * (1 - std::cos(theta * kPi / 180));
+    const umbilic::Run run = bounded(cage, "willmore", 0);
+    const double expected = 2 * std::numbers::pi * (1 - std::cos(theta * std::numbers::pi / 180));
     EXPECT_NEAR(run.energies().functionals[kWillmore], expected, 1e-3 * expected) << theta;
   }
 }
@@ -87,8 +85,8 @@ TEST(BoundaryConditions, parts_of_a_sphere_are_found_from_their_boundary_tangent
 TEST(BoundaryConditions, catenoids_are_minima_of_bending) {
   CageOptions options;
   options.height = 1;
-  const umbilic::Run run = finished(*generate_cage("catenoid", options), "bending", 0);
-  const double expected = 8 * kPi * std::tanh(0.5);
+  const umbilic::Run run = bounded(*generate_cage("catenoid", options), "bending", 0);
+  const double expected = 8 * std::numbers::pi * std::tanh(0.5);
   EXPECT_NEAR(run.energies().functionals[kBending], expected, 1e-3 * expected);
 }
 
@@ -108,7 +106,7 @@ TEST(BoundaryConditions, are_held_to_rounding_on_every_level_at_corners_as_well)
   for (const auto condition : {BoundaryCondition::kPosition, BoundaryCondition::kTangent}) {
     for (const int level : {1, 2}) {
       const Constraints constraints = at_boundary(condition);
-      const umbilic::Run run = finished(grid, "bending", level, constraints, 1e-4);
+      const umbilic::Run run = bounded(grid, "bending", level, constraints, 1e-4);
       EXPECT_LT(largest_residual(run, grid, constraints, level), 1e-12);
       EXPECT_GT(run.constraints()->deviation, 1e-3);
     }
@@ -119,7 +117,7 @@ TEST(BoundaryConditions, are_held_to_rounding_on_every_level_at_corners_as_well)
 TEST(BoundaryConditions, cost_the_more_the_more_they_hold) {
   const Cage grid = undulating_grid(4, 0.3);
   const auto energy = [&](BoundaryCondition condition) {
-    return finished(grid, "bending", 1, at_boundary(condition)).result().energy;
+    return bounded(grid, "bending", 1, at_boundary(condition)).result().energy;
   };
   const double position = energy(BoundaryCondition::kPosition), tangent = energy(BoundaryCondition::kTangent);
   EXPECT_LT(position, tangent);
@@ -149,7 +147,7 @@ TEST(BoundaryConditions, of_curvature_find_the_cylinder_for_mvs_cross) {
       for (int c = 0; c < 3; ++c)
         disturbed.vertices(v, c) += 0.05 * std::sin(1. + 7. * static_cast<double>(v) + 3. * c);
     }
-    const umbilic::Run run = finished(disturbed, "mvs_cross", 0, at_boundary(BoundaryCondition::kCurvature), 1e-5);
+    const umbilic::Run run = bounded(disturbed, "mvs_cross", 0, at_boundary(BoundaryCondition::kCurvature), 1e-5);
     const double floor = run.result().energy_reported;
     EXPECT_LT(floor, 0.05 * evaluate(disturbed, CapKind::kSmooth, 0)->energies.functionals[kMvsCross]);
     if (before > 0) {
@@ -186,7 +184,7 @@ TEST(BoundaryConditions, of_single_loops_and_stretches_replace_the_common_one) {
 
 TEST(BoundaryConditions, are_the_same_where_a_run_goes_on_from_its_state) {
   const Cage grid = undulating_grid(4, 0.3);
-  const umbilic::Run run = finished(grid, "bending", 1, {}, 1e-4);
+  const umbilic::Run run = bounded(grid, "bending", 1, {}, 1e-4);
   RunOptions options;
   options.weights = *weights_of("bending");
   const umbilic::Run again = *umbilic::Run::create(grid, options, {}, run.state());

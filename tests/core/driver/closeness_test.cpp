@@ -15,8 +15,8 @@
 namespace umbilic {
 namespace {
 
-umbilic::Run finished(const Cage& cage, const char* functional, int last_level, const Closeness& closeness,
-                      double tolerance = 1e-6) {
+umbilic::Run pulled(const Cage& cage, const char* functional, int last_level, const Closeness& closeness,
+                    double tolerance = 1e-6) {
   RunOptions options;
   options.weights = *weights_of(functional);
   options.last_level = last_level;
@@ -71,7 +71,7 @@ TEST(Closeness, of_a_larger_weight_deviates_less_and_of_none_is_the_free_minimum
   const Cage cage = *generate_cage("two-3");
   double before = 1e9;
   for (const double weight : {0., 1e2, 1e4, 1e6}) {
-    const umbilic::Run run = finished(cage, "bending", 1, {weight, {}});
+    const umbilic::Run run = pulled(cage, "bending", 1, {weight, {}});
     const double deviation = run.constraints()->deviation;
     EXPECT_LT(deviation, before) << weight;
     EXPECT_EQ(*run.constraints()->closeness, weight);
@@ -83,9 +83,9 @@ TEST(Closeness, of_a_larger_weight_deviates_less_and_of_none_is_the_free_minimum
 /// A weight is an energy per length^4: a cage of twice the size needs a sixteenth of it.
 TEST(Closeness, scales_with_the_cage) {
   Cage cage = *generate_cage("two-3");
-  const double small = finished(cage, "mvs_cross", 1, {1600., {}}).result().energy;
+  const double small = pulled(cage, "mvs_cross", 1, {1600., {}}).result().energy;
   cage.vertices *= 2;
-  EXPECT_EQ(finished(cage, "mvs_cross", 1, {100., {}}).result().energy, small);
+  EXPECT_EQ(pulled(cage, "mvs_cross", 1, {100., {}}).result().energy, small);
 }
 
 TEST(Closeness, within_a_distance_is_held_and_used_up) {
@@ -93,7 +93,7 @@ TEST(Closeness, within_a_distance_is_held_and_used_up) {
     Cage cage = *generate_cage(name);
     cage.vertices *= 10;
     for (const double within : {0.05, 0.12}) {  // the cube's sphere of the best size deviates by 0.17
-      const umbilic::Run run = finished(cage, "bending", 1, {{}, within}, 1e-4);
+      const umbilic::Run run = pulled(cage, "bending", 1, {{}, within}, 1e-4);
       const double deviation = run.constraints()->deviation;
       EXPECT_LE(deviation, within) << name;
       EXPECT_GE(deviation, 0.9 * within) << name;

@@ -15,7 +15,7 @@
 namespace umbilic {
 namespace {
 
-umbilic::Run finished(const Cage& cage, RunOptions options, const Constraints& constraints) {
+umbilic::Run pinned(const Cage& cage, RunOptions options, const Constraints& constraints) {
   umbilic::Run run = *umbilic::Run::create(cage, options, constraints);
   while (!run.step(1000)) {
   }
@@ -60,7 +60,7 @@ TEST(Pins, are_held_to_1e_10_of_the_size_and_normals_to_1e_8_on_every_level) {
   for (const int level : {0, 1}) {
     RunOptions options = options_for("bending", level);
     options.first_level = level;
-    const umbilic::Run run = finished(torus, options, constraints);
+    const umbilic::Run run = pinned(torus, options, constraints);
     RefinedCage cage = refine(*prepare(torus, 0, false, constraints), level);
     std::vector<SurfacePlace> places;
     for (const HeldPoint& pin : cage.pins) places.push_back(pin.place);
@@ -83,10 +83,10 @@ TEST(Pins, pull_with_the_derivative_of_the_minimal_energy_by_their_position) {
   torus.vertices *= 4;  // lengths of the cage are not those of its unit coordinates
   RunOptions options = options_for("bending", 0, 1e-12);
   options.max_iterations = 3000;
-  const umbilic::Run run = finished(torus, options, six_pins(torus, 0.4));
+  const umbilic::Run run = pinned(torus, options, six_pins(torus, 0.4));
   const PinReport pin = run.constraints()->pins[0];
   const double step = 0.02;
-  const auto energy = [&](double moved) { return finished(torus, options, six_pins(torus, moved)).result().energy; };
+  const auto energy = [&](double moved) { return pinned(torus, options, six_pins(torus, moved)).result().energy; };
   const double slope = (energy(0.4 + step) - energy(0.4 - step)) / (2 * step);
   EXPECT_GT(std::abs(slope), 0.01);
   EXPECT_NEAR(pin.pull[2], slope, 1e-4 * pin.strength + 1e-3 * std::abs(slope));
@@ -94,7 +94,7 @@ TEST(Pins, pull_with_the_derivative_of_the_minimal_energy_by_their_position) {
 
 TEST(Pins, pull_in_balance) {
   const Cage torus = *generate_cage("torus");
-  const umbilic::Run run = finished(torus, options_for("bending", 0, 1e-12), six_pins(torus, 0.1));
+  const umbilic::Run run = pinned(torus, options_for("bending", 0, 1e-12), six_pins(torus, 0.1));
   Vector3 sum = Vector3::Zero();
   double largest = 0;
   const ConstraintsReport report = *run.constraints();
@@ -121,7 +121,7 @@ TEST(Pins, that_are_pulled_apart_keep_the_symmetry_that_keeps_them) {
     const Vector3 at = 1.5 * held[i].position;
     constraints.pins[i].at = Coordinates3{at[0], at[1], at[2]};
   }
-  const umbilic::Run run = finished(cube, options_for("mvs_cross", 1), constraints);
+  const umbilic::Run run = pinned(cube, options_for("mvs_cross", 1), constraints);
   EXPECT_EQ(run.group().name, "D4h");
   const ConstraintsReport report = *run.constraints();
   EXPECT_NEAR(report.pins[0].strength, report.pins[1].strength, 1e-9 * report.pins[0].strength);
@@ -163,7 +163,7 @@ TEST(Pins, far_from_the_start_move_it_smoothly) {
   const Cage cube = *generate_cage("cube");
   Constraints constraints;
   constraints.pins = {pin_at(1, 9, 9, 9)};
-  const umbilic::Run run = finished(cube, options_for("bending", 1, 1e-9), constraints);
+  const umbilic::Run run = pinned(cube, options_for("bending", 1, 1e-9), constraints);
   EXPECT_NEAR(run.result().energy, 8 * std::numbers::pi, 1e-2 * 8 * std::numbers::pi);
   EXPECT_LT(run.constraints()->pins[0].strength, 1e-4);
 }

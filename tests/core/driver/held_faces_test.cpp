@@ -24,7 +24,7 @@ FaceSelection faces(std::vector<int> numbers) { return {{}, std::move(numbers)};
 
 Constraints holding(std::vector<int> numbers) { return {faces(std::move(numbers)), {}}; }
 
-RunOptions options_for(const char* functional, int last_level, int iterations = 1000) {
+RunOptions held_options(const char* functional, int last_level, int iterations = 1000) {
   RunOptions options;
   options.weights = *weights_of(functional);
   options.last_level = last_level;
@@ -32,7 +32,7 @@ RunOptions options_for(const char* functional, int last_level, int iterations = 
   return options;
 }
 
-umbilic::Run finished(const Cage& cage, const RunOptions& options, const Constraints& constraints) {
+umbilic::Run held_run(const Cage& cage, const RunOptions& options, const Constraints& constraints) {
   umbilic::Run run = *umbilic::Run::create(cage, options, constraints);
   while (!run.step(1000)) {
   }
@@ -77,7 +77,7 @@ TEST(HeldFaces, keep_their_control_points_to_the_last_bit_on_every_level) {
   cage.vertices *= 1024;
   const Constraints constraints = holding(upper_faces(cage));
   for (const int level : {0, 1}) {
-    const umbilic::Run run = finished(cage, options_for("bending", level, 5), constraints);
+    const umbilic::Run run = held_run(cage, held_options("bending", level, 5), constraints);
     RefinedCage own = refine(*prepare(cage, level, false, constraints), level);
     const HeldPoints held = held_points(own, CapKind::kSmooth);
     const Points expected = own.placement.back(own.own), actual = run.control_mesh().vertices;
@@ -101,7 +101,7 @@ TEST(HeldFaces, let_the_rest_of_a_disturbed_sphere_return_to_the_sphere) {
   const Constraints constraints = holding(upper_faces(cage));
   const double fault = evaluate(cage, CapKind::kSmooth, 0)->energies.functionals[kBending] - 8 * kPi;
   disturb_below(cage, 0.05);
-  const umbilic::Run run = finished(cage, options_for("bending", 0), constraints);
+  const umbilic::Run run = held_run(cage, held_options("bending", 0), constraints);
   EXPECT_NE(run.result().stop, StopReason::kLineSearchStalled);
   const EnergyReport& energies = run.energies();
   EXPECT_NEAR(energies.functionals[kBending], 8 * kPi, 1e-4 * 8 * kPi + std::abs(fault));
@@ -114,7 +114,7 @@ TEST(HeldFaces, fix_the_area_factor_of_third_order_functionals_to_that_of_the_st
   Cage cage = nearly_a_sphere(2);
   disturb_below(cage, 0.05);
   const Constraints constraints = holding(upper_faces(cage));
-  const umbilic::Run run = finished(cage, options_for("mvs_cross", 0, 3), constraints);
+  const umbilic::Run run = held_run(cage, held_options("mvs_cross", 0, 3), constraints);
   const double own_area = evaluate(cage, CapKind::kSmooth, 0)->energies.area;
   EXPECT_NEAR(run.energies().free->area_factor, own_area, 1e-12 * own_area);
   EXPECT_NE(run.energies().area, own_area);
@@ -148,9 +148,9 @@ TEST(HeldFaces, are_named_by_the_groups_of_the_cage) {
 
 TEST(HeldFaces, reduce_the_symmetry_to_the_part_that_keeps_them) {
   const Cage cage = nearly_a_sphere(2);
-  const umbilic::Run free = *umbilic::Run::create(cage, options_for("bending", 0));
+  const umbilic::Run free = *umbilic::Run::create(cage, held_options("bending", 0));
   EXPECT_EQ(free.group().name, "Oh");
-  const umbilic::Run half = *umbilic::Run::create(cage, options_for("bending", 0), holding(upper_faces(cage)));
+  const umbilic::Run half = *umbilic::Run::create(cage, held_options("bending", 0), holding(upper_faces(cage)));
   EXPECT_EQ(half.group().name, "C4v");
   EXPECT_EQ(half.group().order, 8);
 }
@@ -160,16 +160,16 @@ TEST(HeldFaces, keep_no_symmetry_that_would_move_them) {
   Cage cage = nearly_a_sphere(2);
   cage.vertices(0, 0) += 1e-7;
   const std::vector<int> upper = upper_faces(cage);
-  EXPECT_EQ(umbilic::Run::create(cage, options_for("bending", 0))->group().name, "Oh");
-  EXPECT_EQ(umbilic::Run::create(cage, options_for("bending", 0), holding(upper))->group().order, 1);
+  EXPECT_EQ(umbilic::Run::create(cage, held_options("bending", 0))->group().name, "Oh");
+  EXPECT_EQ(umbilic::Run::create(cage, held_options("bending", 0), holding(upper))->group().order, 1);
 }
 
 TEST(HeldFaces, are_the_same_where_a_run_goes_on_from_its_state) {
   Cage cage = nearly_a_sphere(2);
   disturb_below(cage, 0.05);
   const Constraints constraints = holding(upper_faces(cage));
-  const umbilic::Run run = finished(cage, options_for("mvs_cross", 0, 4), constraints);
-  const umbilic::Run again = *umbilic::Run::create(cage, options_for("mvs_cross", 0), constraints, run.state());
+  const umbilic::Run run = held_run(cage, held_options("mvs_cross", 0, 4), constraints);
+  const umbilic::Run again = *umbilic::Run::create(cage, held_options("mvs_cross", 0), constraints, run.state());
   EXPECT_EQ(again.control_mesh().vertices, run.control_mesh().vertices);
   EXPECT_EQ(again.energies().free->functionals, run.energies().free->functionals);
 }
@@ -181,12 +181,12 @@ TEST(HeldFaces, give_the_same_minimum_with_and_without_symmetry) {
     if (cage.vertices(v, 2) < -0.2) cage.vertices.row(v) *= 1.2;
   }
   const Constraints constraints = holding(upper_faces(cage));
-  RunOptions options = options_for("bending", 0);
+  RunOptions options = held_options("bending", 0);
   options.tolerance = 1e-9;
-  const umbilic::Run symmetric = finished(cage, options, constraints);
+  const umbilic::Run symmetric = held_run(cage, options, constraints);
   EXPECT_EQ(symmetric.group().order, 8);
   options.symmetry = false;
-  const umbilic::Run free = finished(cage, options, constraints);
+  const umbilic::Run free = held_run(cage, options, constraints);
   EXPECT_EQ(free.group().order, 1);
   EXPECT_NEAR(symmetric.result().energy, free.result().energy, 1e-6 * free.result().energy);
 }

@@ -19,7 +19,7 @@
 namespace umbilic::test {
 namespace {
 
-Constraints at_boundary(BoundaryCondition condition) {
+Constraints with_condition(BoundaryCondition condition) {
   Constraints constraints;
   constraints.boundary = BoundaryConditions{condition, {}};
   return constraints;
@@ -73,7 +73,7 @@ RunOptions a_few_steps_of(const char* functional) {
 }
 
 TEST_P(Conditions, let_open_cages_run_or_refuse_them_with_place_and_reason) {
-  const Constraints constraints = at_boundary(GetParam());
+  const Constraints constraints = with_condition(GetParam());
   int ran = 0, refused = 0;
   for (const auto& cages : {tame_open_cages(), wild_open_cages(), holed_cages()}) {
     for (const auto& [name, cage] : cages) {
@@ -124,7 +124,7 @@ TEST_P(Conditions, do_not_depend_on_holes_beyond_the_first_ring) {
       options.last_level = 1;
       options.max_iterations = 100;
       options.tolerance = 1e-8;
-      umbilic::Run run = *umbilic::Run::create(ringed(rings), options, at_boundary(GetParam()));
+      umbilic::Run run = *umbilic::Run::create(ringed(rings), options, with_condition(GetParam()));
       while (!run.step(100)) {
       }
       EXPECT_EQ(run.levels().size(), 2u);
@@ -140,7 +140,7 @@ TEST_P(Conditions, do_not_depend_on_holes_beyond_the_first_ring) {
 
 TEST(BoundaryConditions, that_hold_everything_are_said_to_and_have_no_negative_directions) {
   umbilic::Run run =
-      *umbilic::Run::create(half_disc(5), a_few_steps_of("bending"), at_boundary(BoundaryCondition::kTangent));
+      *umbilic::Run::create(half_disc(5), a_few_steps_of("bending"), with_condition(BoundaryCondition::kTangent));
   while (!run.step(1)) {
   }
   EXPECT_EQ(run.result().unknowns, 0);
