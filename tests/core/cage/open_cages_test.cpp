@@ -273,7 +273,7 @@ TEST(OpenCages, of_n_sides_have_straight_evenly_divided_sides_that_end_in_the_co
 }
 
 TEST(OpenCages, are_refused_out_of_range_by_name) {
-  const auto refusal = [](std::string_view name, const CageOptions& options) {
+  const auto option_error = [](std::string_view name, const CageOptions& options) {
     const Result<Cage> cage = generate_cage(name, options);
     return cage ? "" : cage.error().message;
   };

@@ -19,7 +19,7 @@ Result<Problem> problem_with(const std::string& pins) {
                        pins + "}}");
 }
 
-std::string message(const std::string& pins) {
+std::string pin_error(const std::string& pins) {
   const Result<Problem> problem = problem_with(pins);
   return problem ? "" : problem.error().message;
 }
@@ -84,7 +84,7 @@ TEST(Pin, errors_name_the_member) {
        "constraints.pins[0].'vertx': unknown; known are vertex, face, corner, uv, at, position, normal"},
       {R"({})", "constraints.pins: expected an array"},
   };
-  for (const auto& [pins, words] : cases) EXPECT_EQ(message(pins), words) << pins;
+  for (const auto& [pins, words] : cases) EXPECT_EQ(pin_error(pins), words) << pins;
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ Problem filling(std::string text, FillRequest fill = {}) {
   return {.cage = CageText{"t.obj", std::move(text)}, .fill = std::move(fill)};
 }
 
-std::string message(Problem problem) {
+std::string fill_error(Problem problem) {
   const Result<RunCage> cage = run_cage(problem);
   return cage ? "" : cage.error().message;
 }
@@ -127,23 +127,25 @@ TEST(RunCage, finds_boundaries_again_that_stay) {
   EXPECT_EQ(run_cage(problem)->constraints.boundary->loops[0].loop, 1);
   EXPECT_EQ(run_cage(problem)->constraints.boundary->loops[0].from, 33);
   problem.constraints.boundary->loops[0].loop = 1;
-  EXPECT_EQ(message(problem), "t.obj: constraints.boundary.loops[0].loop: boundary 1 is filled");
+  EXPECT_EQ(fill_error(problem), "t.obj: constraints.boundary.loops[0].loop: boundary 1 is filled");
 }
 
 TEST(RunCage, names_what_of_a_fill_does_not_fit) {
-  EXPECT_EQ(message(filling(tube(8, 4), {{1, 3}, {}})), "t.obj: fill.loops[1]: there is no boundary 3; the cage has 2");
-  EXPECT_EQ(message(filling(tube(8, 4), {{1, 1}, {}})), "t.obj: fill: boundary 1 is to be filled twice");
-  EXPECT_EQ(message(filling(tube(8, 4), {{}, {1, 9}})),
+  EXPECT_EQ(fill_error(filling(tube(8, 4), {{1, 3}, {}})),
+            "t.obj: fill.loops[1]: there is no boundary 3; the cage has 2");
+  EXPECT_EQ(fill_error(filling(tube(8, 4), {{1, 1}, {}})), "t.obj: fill: boundary 1 is to be filled twice");
+  EXPECT_EQ(fill_error(filling(tube(8, 4), {{}, {1, 9}})),
             "t.obj: fill.corners[1]: vertex 9 is on no boundary of the cage");
-  EXPECT_EQ(message(filling(tube(8, 4), {{1}, {33, 35, 37}})),
+  EXPECT_EQ(fill_error(filling(tube(8, 4), {{1}, {33, 35, 37}})),
             "t.obj: fill: boundary 2 has marked corners, but is not filled");
   Problem closed{.cage = GeneratedCage{"cube", {}}, .fill = FillRequest{}};
-  EXPECT_EQ(message(closed), "fill: the cage is closed, and has no boundary to fill");
+  EXPECT_EQ(fill_error(closed), "fill: the cage is closed, and has no boundary to fill");
 }
 
 TEST(RunCage, refuses_to_hold_a_rest_that_has_no_surface_of_its_own) {
-  EXPECT_NE(message(filling(tube(8, 2))).find("every face of the cage touches a filled boundary"), std::string::npos);
-  EXPECT_EQ(message(filling(tube(8, 3))), "");
+  EXPECT_NE(fill_error(filling(tube(8, 2))).find("every face of the cage touches a filled boundary"),
+            std::string::npos);
+  EXPECT_EQ(fill_error(filling(tube(8, 3))), "");
   Problem problem = filling(tube(8, 2));
   problem.constraints.free = FaceSelection{{"fill-1"}, {}};
   EXPECT_TRUE(run_cage(problem).ok()) << "unless it is told what to hold";
