@@ -31,9 +31,9 @@ Fan fan_at(const PolygonMesh& mesh, int leaving) {
   return fan;
 }
 
-class Builder {
+class GhostBuilder {
  public:
-  explicit Builder(int first_new) : first_(first_new) {}
+  explicit GhostBuilder(int first_new) : first_(first_new) {}
 
   /// The sum of weights times vertices.
   int point(std::initializer_list<std::pair<int, double>> terms) {
@@ -57,7 +57,7 @@ class Builder {
 
 Ghosts make_ghosts(const PolygonMesh& mesh, const std::vector<bool>& wanted, int first_new) {
   constexpr double pi = std::numbers::pi;
-  Builder builder(first_new);
+  GhostBuilder builder(first_new);
   for (const std::vector<int>& loop : boundary_loops(mesh)) {
     if (!wanted[mesh.origin(loop.front())]) continue;
     // The ghost spokes of each vertex, in clockwise order: the first belongs to the edge that leaves, the last to the

@@ -23,9 +23,9 @@ Symmetry product(const Symmetry& second, const Symmetry& first) {
 }
 
 /// Names elements by where they map one half-edge of each component, which determines them.
-class Naming {
+class ElementNames {
  public:
-  explicit Naming(const PolygonMesh& mesh) {
+  explicit ElementNames(const PolygonMesh& mesh) {
     const std::vector<int> component = find_components(mesh).of_vertex;
     for (int h = 0; h < mesh.halfedge_count(); ++h) {
       if (component[mesh.origin(h)] == static_cast<int>(seeds_.size())) seeds_.push_back(h);
@@ -47,7 +47,7 @@ struct Listed {
   std::vector<Symmetry> elements;
   std::map<std::vector<int>, std::size_t> index;
 
-  Listed(const std::vector<Symmetry>& generators, const Naming& name, const PolygonMesh& mesh) {
+  Listed(const std::vector<Symmetry>& generators, const ElementNames& name, const PolygonMesh& mesh) {
     Symmetry identity{Eigen::Matrix3d::Identity(), {false, std::vector<int>(mesh.halfedge_count())}};
     for (int h = 0; h < mesh.halfedge_count(); ++h) identity.map.halfedges[h] = h;
     index.emplace(name(identity), 0);
@@ -73,7 +73,7 @@ SymmetryGroup subgroup(const SymmetryGroup& group, const PolygonMesh& mesh,
     result.complete = false;
     return result;
   }
-  const Naming name(mesh);
+  const ElementNames name(mesh);
   const Listed all(group.generators, name, mesh);
   std::vector<const Symmetry*> kept;
   for (const Symmetry& element : all.elements) {
