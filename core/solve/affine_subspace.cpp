@@ -73,7 +73,7 @@ void AffineSubspace::eliminate() {
   lengths_.resize(rows_.count());
   SparseEntries entries;
   for (int i = 0; i < rows_.count(); ++i) {
-    double length = rows_.matrix.row(i).norm();
+    double length = rows_.matrix.cols() > 0 ? rows_.matrix.row(i).norm() : 0;
     if (length <= RowElimination::kDependent * rows_.scales[i]) length = rows_.scales[i];
     lengths_[i] = length;
     rows_.matrix.row(i) /= length;
