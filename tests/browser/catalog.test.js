@@ -232,7 +232,7 @@ describe('an entry', () => {
     );
     await page.keyboard.press('Escape');
     await dialog.waitFor({ state: 'hidden' });
-    expect(await search(page)).toBe('');
+    await page.waitForFunction(() => location.search === '');
     expect(await button.evaluate((element) => element === document.activeElement)).toBe(true);
     expect(errors).toEqual([]);
     await page.context().close();
