@@ -217,6 +217,7 @@ describe('the brush', () => {
 describe('a pin', () => {
   test('is given by the number of its vertex, listed, removed, and part of the problem', async () => {
     const { page, errors } = await openFish();
+    await pointer(page, 'Pin');
     for (const vertex of ['45', '98']) {
       await page.getByRole('spinbutton', { name: 'Vertex' }).fill(vertex);
       await page.getByRole('button', { name: 'Pin it' }).click();
