@@ -215,6 +215,36 @@ describe('the brush', () => {
 });
 
 describe('a pin', () => {
+  test('holds the limit point of the vertex that is nearest to the click', async () => {
+    const { page, errors } = await openFish();
+    await pointer(page, 'Pin');
+    await drag(page, [0.5, 0.5], [0.5, 0.5]);
+    await drag(page, [0.35, 0.5], [0.35, 0.5]);
+    await page.getByRole('spinbutton', { name: 'Vertex' }).fill('98');
+    await page.getByRole('button', { name: 'Pin it' }).click();
+    await page.waitForFunction(() => document.querySelectorAll('#pins li').length === 3);
+    await page.getByRole('button', { name: 'Remove the pin: Vertex 98' }).click();
+    await settled(page);
+    await page.screenshot({ path: path.join(screenshots, 'pinned.png') });
+    const problem = JSON.parse(await download(page, 'problem'));
+    expect(problem.constraints.pins).toHaveLength(2);
+    await minimize(page);
+    const report = JSON.parse(await download(page, 'report'));
+    const own = new Minimizer({ ...problem, constraints: {} });
+    const { centre, positions } = own.limitMesh(1);
+    own.dispose();
+    report.constraints.pins.forEach((/** @type {any} */ pin, /** @type {number} */ i) => {
+      const v = problem.constraints.pins[i].vertex - 1;
+      // The limit point of the bare surface; the page's mesh has that of the cap, and single precision.
+      pin.position.forEach((/** @type {number} */ x, /** @type {number} */ k) =>
+        expect(Math.abs(x - centre[k] - positions[3 * v + k])).toBeLessThan(0.02),
+      );
+      expect(pin.strength).toBeGreaterThan(0);
+    });
+    expect(errors).toEqual([]);
+    await page.context().close();
+  }, 120_000);
+
   test('is given by the number of its vertex, listed, removed, and part of the problem', async () => {
     const { page, errors } = await openFish();
     await pointer(page, 'Pin');

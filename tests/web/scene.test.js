@@ -130,6 +130,38 @@ describe('a ray', () => {
     expect(pick(both, [0, 0.5, 0.25], [1, 0, 0])).toBeNull();
   });
 
+  test('is met through its edges and corners as well', () => {
+    const rings = 8;
+    const sphere = { positions: /** @type {number[]} */ ([]), triangles: /** @type {number[]} */ ([]) };
+    for (let i = 0; i <= rings; i++) {
+      for (let j = 0; j < 2 * rings; j++) {
+        const [polar, around] = [(Math.PI * i) / rings, (Math.PI * j) / rings];
+        const radius = Math.sin(polar);
+        sphere.positions.push(radius * Math.cos(around), radius * Math.sin(around), Math.cos(polar));
+        if (i === rings) continue;
+        const [a, b] = [2 * rings * i + j, 2 * rings * i + ((j + 1) % (2 * rings))];
+        sphere.triangles.push(a, a + 2 * rings, b + 2 * rings, a, b + 2 * rings, b);
+      }
+    }
+    const closed = {
+      positions: new Float32Array(sphere.positions),
+      triangles: new Uint32Array(sphere.triangles),
+      faces: new Uint32Array(sphere.triangles.length / 3),
+    };
+    const eye = /** @type {[number, number, number]} */ ([3.1, 2.2, 1.7]);
+    for (let t = 0; t < closed.triangles.length; t++) {
+      const [a, b] = [3 * closed.triangles[t], 3 * closed.triangles[t - (t % 3) + ((t + 1) % 3)]];
+      for (const part of [0, 0.25, 0.5, 0.75]) {
+        const along = /** @type {[number, number, number]} */ (
+          eye.map((x, c) => closed.positions[a + c] * (1 - part) + closed.positions[b + c] * part - x)
+        );
+        const hit = pick(closed, eye, along);
+        const distance = Math.hypot(...(hit?.point ?? [Infinity]).map((x, c) => x - eye[c]));
+        expect(distance).toBeLessThan(Math.hypot(...along) + 1e-5); // not through the front to what is behind it
+      }
+    }
+  });
+
   test('is nearest to one of the vertices of the cage at the face that it meets', () => {
     const hit = /** @type {import('../../web/scene/pick.js').Hit} */ ({ face: 1, point: [1.9, 0.2, 0] });
     expect(nearestVertex(strip(), hit, 10)).toBe(4);

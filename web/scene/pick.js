@@ -10,6 +10,12 @@
 /** Where a ray meets a surface: the face of the cage, from 0, and the point. @typedef {{face: number, point: Vector3Tuple}} Hit */
 
 /**
+ * How far beside a triangle a ray still meets it, as a part of its sides. Without it rounding lets a ray through an edge
+ * pass between the two triangles there.
+ */
+const EDGE = 1e-6;
+
+/**
  * The nearest triangle that the ray meets, from either side. T. Möller & B. Trumbore 1997.
  * @param {Pick<Mesh, 'positions' | 'triangles' | 'faces'>} mesh
  * @param {Vector3Tuple} origin
@@ -29,10 +35,10 @@ export function pick({ positions, triangles, faces }, [ox, oy, oz], [dx, dy, dz]
     if (determinant === 0) continue;
     const [sx, sy, sz] = [ox - ax, oy - ay, oz - az];
     const u = (sx * px + sy * py + sz * pz) / determinant;
-    if (!(u >= 0 && u <= 1)) continue;
+    if (!(u >= -EDGE && u <= 1 + EDGE)) continue;
     const [qx, qy, qz] = [sy * uz - sz * uy, sz * ux - sx * uz, sx * uy - sy * ux];
     const v = (dx * qx + dy * qy + dz * qz) / determinant;
-    if (!(v >= 0 && u + v <= 1)) continue;
+    if (!(v >= -EDGE && u + v <= 1 + EDGE)) continue;
     const distance = (vx * qx + vy * qy + vz * qz) / determinant;
     if (distance > 0 && distance < nearest) [nearest, hit] = [distance, t / 3];
   }
