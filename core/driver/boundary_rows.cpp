@@ -175,6 +175,13 @@ bool holds_boundary(const std::vector<BoundaryCondition>& conditions, const Poly
   return false;
 }
 
+bool holds_tangents(const std::vector<BoundaryCondition>& conditions, const PolygonMesh& mesh) {
+  for (std::size_t h = 0; h < conditions.size(); ++h) {
+    if (mesh.is_boundary(static_cast<int>(h)) && conditions[h] < BoundaryCondition::kTangent) return false;
+  }
+  return !conditions.empty();
+}
+
 std::vector<PointRow> boundary_rows(const std::vector<BoundaryCondition>& conditions, const PolygonMesh& mesh) {
   std::vector<PointRow> rows;
   if (conditions.empty()) return rows;

@@ -35,6 +35,10 @@ std::vector<BoundaryCondition> refined(const std::vector<BoundaryCondition>& con
 /// Whether something is held at some boundary of the mesh.
 bool holds_boundary(const std::vector<BoundaryCondition>& conditions, const PolygonMesh& mesh);
 
+/// Whether the mesh has boundaries, and tangents are held at all of them: then their geodesic curvature cannot change
+/// (but for what caps at vertices of three faces and more make of it).
+bool holds_tangents(const std::vector<BoundaryCondition>& conditions, const PolygonMesh& mesh);
+
 /// A combination of control points that is held.
 struct PointRow {
   std::vector<int> points;

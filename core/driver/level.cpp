@@ -131,7 +131,11 @@ void Level::start() {
 
 void Level::prepare() {
   std::function<double(const Points&)> turning;
-  if (surface_.mesh().is_open()) turning = [this](const Points& control) { return surface_.turning(control); };
+  if (holds_tangents(start_.boundary, start_.mesh)) {
+    turning = [constant = surface_.turning(surface_.start())](const Points&) { return constant; };
+  } else if (surface_.mesh().is_open()) {
+    turning = [this](const Points& control) { return surface_.turning(control); };
+  }
   objective_ =
       std::make_unique<SurfaceObjective>(surface_.energy(), unknowns_, surface_.expected_gaussian(), surface_.start(),
                                          surface_.lower_bound(), std::move(turning), surface_.closeness());
