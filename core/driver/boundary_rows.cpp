@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 
 #include "mesh/boundary.h"
 
@@ -34,15 +33,17 @@ class Rows {
   /// At the vertex where the boundary's half-edge `out` begins, between stretches with the conditions `before` and
   /// `after`.
   void add(int out, BoundaryCondition before, BoundaryCondition after) {
+    const BoundaryCondition both = std::max(before, after);
+    if (both == BoundaryCondition::kFree) return;
     vertex_ = mesh_.origin(out);
     const std::vector<int> spokes = spokes_from(mesh_, out);
     const std::size_t faces = static_cast<std::size_t>(surface_valence(mesh_, vertex_));
-    if (faces == 1) {
-      corner(spokes, before, after);
-    } else if (faces == 2) {
-      across(mesh_.target(spokes[3]), vertex_, mesh_.target(spokes[1]), std::max(before, after));
+    if (spokes.size() == 4) {
+      regular(spokes, faces, before, after);
+    } else if (spokes.size() == 2 * faces) {
+      mirrored_ring(spokes, faces, both);
     } else {
-      ring(spokes, faces, std::max(before, after));
+      hold_ring(spokes);
     }
   }
 
@@ -58,38 +59,48 @@ class Rows {
     if (condition >= BoundaryCondition::kCurvature) hold({outside, on, inside}, {1, -2, 1});
   }
 
-  /// The net around a corner: net[b][a] lies a - 1 steps along the boundary's half-edge that leaves it, and b - 1 steps
-  /// along the one that comes to it, backwards.
-  void corner(const std::vector<int>& spokes, BoundaryCondition before, BoundaryCondition after) {
+  /// Where four faces meet the surface is a B-spline, and the boundary follows its parameter lines. In the net around
+  /// the vertex the half-edge with which the boundary leaves runs to the right.
+  void regular(const std::vector<int>& spokes, std::size_t faces, BoundaryCondition before, BoundaryCondition after) {
     const int right = mesh_.target(spokes[0]), above = mesh_.target(spokes[1]), left = mesh_.target(spokes[2]),
               below = mesh_.target(spokes[3]);
     const int net[3][3] = {{opposite(mesh_, spokes[2]), below, opposite(mesh_, spokes[3])},
                            {left, vertex_, right},
                            {opposite(mesh_, spokes[1]), above, opposite(mesh_, spokes[0])}};
+    if (faces == 2) return across(below, vertex_, above, std::max(before, after));
+    const bool convex = faces == 1;
     for (int i = 0; i < 2; ++i) {
       across(net[0][i], net[1][i], net[2][i], after);
-      across(net[i][0], net[i][1], net[i][2], before);
+      if (convex) {  // the boundary comes from above
+        across(net[i][0], net[i][1], net[i][2], before);
+      } else {  // from below
+        across(net[i + 1][2], net[i + 1][1], net[i + 1][0], before);
+      }
     }
   }
 
-  void ring(const std::vector<int>& spokes, std::size_t faces, BoundaryCondition condition) {
-    if (condition == BoundaryCondition::kFree) return;
+  /// Where ghosts mirror the surface's faces.
+  void mirrored_ring(const std::vector<int>& spokes, std::size_t faces, BoundaryCondition condition) {
+    if (condition >= BoundaryCondition::kTangent) return hold_ring(spokes);
     const std::size_t count = spokes.size();
-    assert(count == 2 * faces);
     hold({vertex_}, {1});
     hold({mesh_.target(spokes[0])}, {1});
     hold({mesh_.target(spokes[faces])}, {1});
-    const bool all = condition >= BoundaryCondition::kTangent;
-    const auto pair = [&](int point, int mirrored) {
-      if (all) {
-        hold({point}, {1});
-        hold({mirrored}, {1});
-      } else {
-        hold({point, mirrored}, {1, 1});
-      }
-    };
-    for (std::size_t j = 1; j < faces; ++j) pair(mesh_.target(spokes[j]), mesh_.target(spokes[count - j]));
-    for (std::size_t j = 0; j < faces; ++j) pair(opposite(mesh_, spokes[j]), opposite(mesh_, spokes[count - 1 - j]));
+    for (std::size_t j = 1; j < faces; ++j) {
+      hold({mesh_.target(spokes[j]), mesh_.target(spokes[count - j])}, {1, 1});
+    }
+    for (std::size_t j = 0; j < faces; ++j) {
+      hold({opposite(mesh_, spokes[j]), opposite(mesh_, spokes[count - 1 - j])}, {1, 1});
+    }
+  }
+
+  /// Everything on which the surface depends near the vertex.
+  void hold_ring(const std::vector<int>& spokes) {
+    hold({vertex_}, {1});
+    for (const int spoke : spokes) {
+      hold({mesh_.target(spoke)}, {1});
+      hold({opposite(mesh_, spoke)}, {1});
+    }
   }
 
   const PolygonMesh& mesh_;

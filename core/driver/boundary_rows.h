@@ -9,10 +9,12 @@
 ///   E = G - 2 P0 + P1         of the second derivative across it (curvature).
 /// Refinement maps these functions to themselves, so what is held means the same on every level.
 ///
-/// At a convex corner the rows and the columns of the control net are held through the ghosts' rows and columns. Some
-/// of these equations follow from others. At a vertex of k >= 3 faces the surface is determined by the ring of 2 k
-/// faces, real ones and ghosts, around it: tangent and curvature hold all its points; the boundary curve depends on the
-/// vertex, its neighbours on the boundary, and the sums of the other points and their mirror images.
+/// At corners where four faces meet (one of the surface: convex, three: concave) the rows and the columns of the
+/// control net are held through the ghosts' rows and columns. Some of these equations follow from others. At a vertex
+/// of k >= 3 faces that ghosts mirror, the surface is determined by the ring of 2 k faces around it: tangent and
+/// curvature hold all its points; the boundary curve depends on the vertex, its neighbours on the boundary, and the
+/// sums of the other points and their mirror images. Where holes leave any other number of faces around a vertex, each
+/// condition but free holds all points of its ring.
 #pragma once
 
 #include <vector>
@@ -46,7 +48,7 @@ struct PointRow {
   int vertex;  ///< of the boundary
 };
 
-/// All that the conditions hold, on a mesh with ghosts.
+/// All that the conditions hold. The mesh needs ghosts along every boundary that is not free.
 std::vector<PointRow> boundary_rows(const std::vector<BoundaryCondition>& conditions, const PolygonMesh& mesh);
 
 }  // namespace umbilic

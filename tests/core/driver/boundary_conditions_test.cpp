@@ -101,6 +101,15 @@ double largest_residual(const umbilic::Run& run, const Cage& cage, const Constra
       .maxCoeff();
 }
 
+TEST(BoundaryConditions, ask_nothing_of_a_free_boundary_that_has_no_ghosts_yet) {
+  Constraints constraints = at_boundary(BoundaryCondition::kFree);
+  constraints.pins.resize(1);
+  constraints.pins[0].vertex = 7;
+  const RefinedCage cage = *prepare(undulating_grid(4, 0.3), 1, true, constraints);
+  EXPECT_TRUE(boundary_rows(cage.boundary, cage.mesh).empty());
+  EXPECT_EQ(equations_of(cage).rows.count(), 3);
+}
+
 TEST(BoundaryConditions, are_held_to_rounding_on_every_level_at_corners_as_well) {
   const Cage grid = undulating_grid(4, 0.3);
   for (const auto condition : {BoundaryCondition::kPosition, BoundaryCondition::kTangent}) {
