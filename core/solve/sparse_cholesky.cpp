@@ -4,20 +4,38 @@
 #include "solve/sparse_cholesky.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "solve/solve_kernels.h"
 
 namespace umbilic {
 namespace {
 
 /// Floating-point operations per call of `advance`.
 constexpr double kFlopsPerPart = 1e8;
-/// Columns of a panel that are eliminated one by one before all later columns are updated at once.
-constexpr int kBlock = 16;
 
 bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
   return a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
          std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
          std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
+/// Rows of a child that lie side by side in its parent as well.
+struct Run {
+  int begin, end;
+};
+
+std::vector<Run> runs_of(const std::vector<int>& place) {
+  std::vector<Run> runs;
+  const int size = static_cast<int>(place.size());
+  for (int r = 0; r < size; ++r) {
+    if (r == 0 || place[r] != place[r - 1] + 1) runs.push_back({r, r});
+    runs.back().end = r + 1;
+  }
+  return runs;
+}
+
+void add_rows(const double* from, int begin, int end, double* to, int place) {
+  for (int r = begin; r < end; ++r) to[place + r - begin] += from[r];
 }
 
 }  // namespace
@@ -32,6 +50,9 @@ void SparseCholesky::begin(Matrix lower) {
   }
   lower_ = std::move(lower);
   pivot_.setZero(lower_.cols());
+  for (AlignedDoubles& update : updates_) {
+    if (!update.empty()) free_.push_back(std::move(update));
+  }
   updates_.assign(tree_.supernodes().size(), {});
   next_ = 0;
   flops_done_ = 0;
@@ -59,67 +80,67 @@ bool SparseCholesky::factor(Matrix lower) {
   return succeeded();
 }
 
+/// Memory for a matrix of this many values: the smallest that is free and large enough, or else the largest, grown.
+AlignedDoubles SparseCholesky::take_memory(std::size_t size) {
+  AlignedDoubles result;
+  if (!free_.empty()) {
+    const auto better = [&](const AlignedDoubles& a, const AlignedDoubles& b) {
+      const bool a_fits = a.size() >= size, b_fits = b.size() >= size;
+      if (a_fits != b_fits) return a_fits;
+      return a_fits ? a.size() < b.size() : a.size() > b.size();
+    };
+    const auto best = std::min_element(free_.begin(), free_.end(), better);
+    std::swap(*best, free_.back());
+    result = std::move(free_.back());
+    free_.pop_back();
+  }
+  if (result.size() < size) {
+    result = {};  // nothing is copied
+    result.resize(size);
+  }
+  return result;
+}
+
 /// Sums the matrix's own entries and the updates of the children.
-void SparseCholesky::assemble(const Supernode& node, double* panel, Eigen::MatrixXd& update) {
-  std::fill_n(panel, static_cast<std::size_t>(node.height()) * node.width, 0.0);
+void SparseCholesky::assemble(const Supernode& node, double* panel, double* update) {
+  const auto height = static_cast<std::size_t>(node.height()), below = static_cast<std::size_t>(node.below());
+  std::fill_n(panel, height * node.width, 0.0);
   for (const auto [source, target] : tree_.entries()[&node - tree_.supernodes().data()]) {
     panel[target] += lower_.valuePtr()[source];
   }
-  update.setZero(node.below(), node.below());
+  for (std::size_t c = 0; c < below; ++c) std::fill_n(update + c * below + c, below - c, 0.0);
   for (int child : node.children) {
     const std::vector<int>& place = tree_.supernodes()[child].in_parent;
+    const std::vector<Run> runs = runs_of(place);
     const int size = static_cast<int>(place.size());
-    for (int c = 0; c < size; ++c) {
-      const double* from = updates_[child].col(c).data();
+    const double* from = updates_[child].data();
+    std::size_t run = 0;
+    for (int c = 0; c < size; ++c, from += size) {
       const bool own = place[c] < node.width;
-      double* to =
-          own ? panel + static_cast<std::size_t>(place[c]) * node.height() : update.col(place[c] - node.width).data();
+      double* to = own ? panel + place[c] * height : update + (place[c] - node.width) * below;
       const int shift = own ? 0 : node.width;
-      for (int r = c; r < size; ++r) to[place[r] - shift] += from[r];
+      if (runs[run].end <= c) ++run;
+      add_rows(from, c, runs[run].end, to, place[c] - shift);
+      for (std::size_t i = run + 1; i < runs.size(); ++i) {
+        add_rows(from, runs[i].begin, runs[i].end, to, place[runs[i].begin] - shift);
+      }
     }
-    updates_[child].resize(0, 0);
+    free_.push_back(std::move(updates_[child]));
   }
-}
-
-/// Turns the columns [first, first + count) into those of L. Later columns are not changed.
-bool SparseCholesky::eliminate_columns(Panel panel, int first, int count, Eigen::Ref<Eigen::VectorXd> pivot) const {
-  const Eigen::Index height = panel.rows();
-  for (int j = first; j < first + count; ++j) {
-    const double d = panel(j, j);
-    if (!std::isfinite(d) || (pivots_ == Pivots::kPositive ? d <= 0 : d == 0)) return false;
-    pivot[j] = d;
-    for (int k = j + 1; k < first + count; ++k) {
-      panel.col(k).tail(height - k) -= (panel(k, j) / d) * panel.col(j).tail(height - k);
-    }
-    panel.col(j).tail(height - j - 1) /= d;
-  }
-  return true;
 }
 
 bool SparseCholesky::eliminate(int supernode) {
   const Supernode& node = tree_.supernodes()[supernode];
-  const int width = node.width, height = node.height(), below = node.below();
-  double* values = panels_.data() + node.panel;
-  Eigen::MatrixXd& update = updates_[supernode];
-  assemble(node, values, update);
+  const DensePanel panel{panels_.data() + node.panel, node.height(), node.width};
+  AlignedDoubles& update = updates_[supernode];
+  update = take_memory(static_cast<std::size_t>(node.below()) * node.below());
+  assemble(node, panel.values, update.data());
 
-  Panel panel(values, height, width);
-  auto pivot = pivot_.segment(node.first, width);
-  for (int first = 0; first < width; first += kBlock) {
-    const int count = std::min(kBlock, width - first), next = first + count;
-    if (!eliminate_columns(panel, first, count, pivot)) return false;
-    if (next == width) break;
-    const auto done = panel.block(next, first, height - next, count);
-    const Eigen::MatrixXd scaled = done.topRows(width - next) * pivot.segment(first, count).asDiagonal();
-    panel.block(next, next, width - next, width - next).triangularView<Eigen::Lower>() -=
-        done.topRows(width - next) * scaled.transpose();
-    panel.block(width, next, below, width - next).noalias() -= done.bottomRows(below) * scaled.transpose();
-  }
-  if (below > 0) {
-    const auto coupling = panel.bottomRows(below);
-    const Eigen::MatrixXd scaled = coupling * pivot.asDiagonal();
-    update.triangularView<Eigen::Lower>() -= coupling * scaled.transpose();
-  }
+  const SolveKernels& kernels = solve_kernels();
+  double* pivots = pivot_.data() + node.first;
+  double* scratch = reserve(scratch_, kernels.scratch_size(panel.height));
+  if (!kernels.eliminate_panel(panel, pivots_ == Pivots::kPositive, pivots, scratch)) return false;
+  if (node.below() > 0) kernels.subtract_outer_product(panel, pivots, update.data(), scratch);
   return true;
 }
 

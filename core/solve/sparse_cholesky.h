@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include "base/aligned_doubles.h"
 #include "solve/elimination_tree.h"
 
 namespace umbilic {
@@ -41,11 +42,10 @@ class SparseCholesky {
 
  private:
   enum class Stage { kFactoring, kFactored, kFailed };
-  using Panel = Eigen::Map<Eigen::MatrixXd>;
 
-  void assemble(const Supernode& node, double* panel, Eigen::MatrixXd& update);
+  AlignedDoubles take_memory(std::size_t size);
+  void assemble(const Supernode& node, double* panel, double* update);
   bool eliminate(int supernode);
-  bool eliminate_columns(Panel panel, int first, int count, Eigen::Ref<Eigen::VectorXd> pivot) const;
   template <class Right>
   void solve_in_place(Right& right) const;
 
@@ -56,8 +56,11 @@ class SparseCholesky {
   int next_ = 0;  ///< next supernode to eliminate
   double flops_ = 0, flops_done_ = 0;
   std::vector<double> panels_;
-  std::vector<Eigen::MatrixXd> updates_;  ///< of each supernode: lower triangle that its parent will add
-  Eigen::VectorXd pivot_;                 ///< D
+  /// Of each supernode: the lower triangle that its parent will add, column-major, until it has done so.
+  std::vector<AlignedDoubles> updates_;
+  std::vector<AlignedDoubles> free_;  ///< memory of updates that have been added
+  Eigen::VectorXd pivot_;             ///< D
+  AlignedDoubles scratch_;
 };
 
 }  // namespace umbilic

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The dense work of a sparse factorization: L D L^T of a panel of columns, and what it subtracts from later ones.
+#pragma once
+
+#include "base/kernel_namespace.h"
+#include "solve/solve_kernels.h"
+
+namespace umbilic::UMBILIC_KERNELS {
+
+/// Turns the panel's columns into those of L, the unit diagonal understood, and writes D to `pivots`; the panel's
+/// diagonal is left with D. Returns false, with the panel spoilt, at the first pivot that is not finite, or 0, or, if
+/// `positive`, not above 0.
+bool eliminate_panel(const DensePanel& panel, bool positive, double* pivots, double* scratch);
+
+/// With B the rows of an eliminated panel below its square, subtracts the lower triangle of B D B^T from `update`,
+/// column-major with as many rows as B has. Above the diagonal `update` is not touched.
+void subtract_outer_product(const DensePanel& panel, const double* pivots, double* update, double* scratch);
+
+/// How many doubles of scratch memory a panel of this height needs.
+std::size_t scratch_size(int height);
+
+}  // namespace umbilic::UMBILIC_KERNELS

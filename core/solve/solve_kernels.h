@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// This layer's kernels: functions compiled once per instruction set, in the folder kernels/, and called through a
+/// table.
+#pragma once
+
+#include <cstddef>
+
+namespace umbilic {
+
+/// The columns of a symmetric matrix that are eliminated together, with the rows below them: height x width,
+/// column-major, of which the lower trapezoid counts.
+struct DensePanel {
+  double* values;
+  int height, width;
+};
+
+/// Each function is documented where it is declared, in kernels/dense_elimination.h.
+struct SolveKernels {
+  bool (*eliminate_panel)(const DensePanel& panel, bool positive, double* pivots, double* scratch);
+  void (*subtract_outer_product)(const DensePanel& panel, const double* pivots, double* update, double* scratch);
+  std::size_t (*scratch_size)(int height);
+};
+
+/// The kernels of the instruction set in use.
+const SolveKernels& solve_kernels();
+
+}  // namespace umbilic
