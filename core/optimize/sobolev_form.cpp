@@ -7,6 +7,7 @@
 
 #include "optimize/covariant.h"
 #include "optimize/metric_rules.h"
+#include "solve/solve_kernels.h"
 
 namespace umbilic {
 namespace {
@@ -47,24 +48,33 @@ Eigen::MatrixXd SobolevForm::patch(int set, int patch) {
   const double mass = kMassShare * (2 * second_ * std::pow(length, 4) + 2 * third_ * area_ * std::pow(length, 6));
   const int second_rows = second_ > 0 ? 3 : 0, third_rows = third_ > 0 ? 6 : 0,
             per_sample = 1 + second_rows + third_rows;
-  Eigen::MatrixXd rows(per_sample * table.distinct, table.columns);
+  // What is summed over the rows r is w r^T r.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(per_sample * table.distinct,
+                                                                              table.columns);
+  Eigen::VectorXd weights(rows.rows());
   for (int s = 0; s < table.distinct; ++s) {
     const auto basis = at_sample(derivatives, table.samples, s);
     const CovariantDerivatives covariant(at_sample(jets, table.samples, s), third_ > 0);
     const double measure = table.weights[s] * covariant.area;
     auto here = rows.middleRows(per_sample * s, per_sample);
-    here.row(0) = std::sqrt(measure * mass) * values.row(s);
+    auto weight = weights.segment(per_sample * s, per_sample);
+    here.row(0) = values.row(s);
+    weight[0] = measure * mass;
     if (second_ > 0) {
-      const SecondCovariant weighted = std::sqrt(2 * second_ * measure) * covariant.second;
-      here.middleRows<3>(1) = weighted.lazyProduct(basis);
+      here.middleRows<3>(1) = covariant.second.lazyProduct(basis);
+      weight.segment<3>(1).setConstant(2 * second_ * measure);
     }
     if (third_ > 0) {
-      const ThirdCovariant weighted = std::sqrt(2 * third_ * area_ * measure) * covariant.third;
-      here.bottomRows<6>() = weighted.lazyProduct(basis);
+      here.bottomRows<6>() = covariant.third.lazyProduct(basis);
+      weight.tail<6>().setConstant(2 * third_ * area_ * measure);
     }
   }
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(table.columns, table.columns);
-  result.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+  weights = -weights;
+  const SolveKernels& kernels = solve_kernels();
+  double* scratch = reserve(scratch_, kernels.scratch_size(table.columns));
+  const DenseFactor transposed{rows.data(), table.columns, table.columns, static_cast<int>(rows.rows())};
+  kernels.subtract_product(transposed, weights.data(), result.data(), scratch);
   return result;
 }
 

@@ -8,6 +8,7 @@
 /// normal part is taken, with n fixed.
 #pragma once
 
+#include "base/aligned_doubles.h"
 #include "energy/functional.h"
 #include "surface/patch_evaluator.h"
 
@@ -29,6 +30,7 @@ class SobolevForm {
   PatchEvaluator patches_;
   double second_, third_;
   double area_ = 1;
+  AlignedDoubles scratch_;
 };
 
 }  // namespace umbilic

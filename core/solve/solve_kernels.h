@@ -15,10 +15,16 @@ struct DensePanel {
   int height, width;
 };
 
+/// The left factor B of a product B D B^T: rows x columns, column-major, `leading` doubles from one column to the next.
+struct DenseFactor {
+  const double* values;
+  int leading, rows, columns;
+};
+
 /// Each function is documented where it is declared, in kernels/dense_elimination.h.
 struct SolveKernels {
   bool (*eliminate_panel)(const DensePanel& panel, bool positive, double* pivots, double* scratch);
-  void (*subtract_outer_product)(const DensePanel& panel, const double* pivots, double* update, double* scratch);
+  void (*subtract_product)(const DenseFactor& factor, const double* diagonal, double* out, double* scratch);
   std::size_t (*scratch_size)(int height);
 };
 

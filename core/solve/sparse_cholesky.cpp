@@ -140,7 +140,8 @@ bool SparseCholesky::eliminate(int supernode) {
   double* pivots = pivot_.data() + node.first;
   double* scratch = reserve(scratch_, kernels.scratch_size(panel.height));
   if (!kernels.eliminate_panel(panel, pivots_ == Pivots::kPositive, pivots, scratch)) return false;
-  if (node.below() > 0) kernels.subtract_outer_product(panel, pivots, update.data(), scratch);
+  const DenseFactor below{panel.values + panel.width, panel.height, node.below(), panel.width};
+  kernels.subtract_product(below, pivots, update.data(), scratch);
   return true;
 }
 

@@ -176,10 +176,9 @@ bool eliminate_panel(const DensePanel& panel, bool positive, double* pivots, dou
   return true;
 }
 
-void subtract_outer_product(const DensePanel& panel, const double* pivots, double* update, double* scratch) {
-  const int below = panel.height - panel.width;
-  subtract_trapezoid(panel.values + panel.width, panel.height, below, below, panel.width, pivots, update, below,
-                     scratch);
+void subtract_product(const DenseFactor& factor, const double* diagonal, double* out, double* scratch) {
+  subtract_trapezoid(factor.values, factor.leading, factor.rows, factor.rows, factor.columns, diagonal, out,
+                     factor.rows, scratch);
 }
 
 std::size_t scratch_size(int height) {

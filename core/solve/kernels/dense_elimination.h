@@ -13,11 +13,11 @@ namespace umbilic::UMBILIC_KERNELS {
 /// `positive`, not above 0.
 bool eliminate_panel(const DensePanel& panel, bool positive, double* pivots, double* scratch);
 
-/// With B the rows of an eliminated panel below its square, subtracts the lower triangle of B D B^T from `update`,
-/// column-major with as many rows as B has. Above the diagonal `update` is not touched.
-void subtract_outer_product(const DensePanel& panel, const double* pivots, double* update, double* scratch);
+/// Subtracts the lower triangle of B D B^T from `out`, column-major with as many rows as B has; D is diagonal. Above
+/// the diagonal `out` is not touched.
+void subtract_product(const DenseFactor& factor, const double* diagonal, double* out, double* scratch);
 
-/// How many doubles of scratch memory a panel of this height needs.
+/// How many doubles of scratch memory a panel of this height, or a factor with so many rows, needs.
 std::size_t scratch_size(int height);
 
 }  // namespace umbilic::UMBILIC_KERNELS

@@ -5,6 +5,6 @@
 
 namespace umbilic::UMBILIC_KERNELS {
 
-extern const SolveKernels kSolveKernels{eliminate_panel, subtract_outer_product, scratch_size};
+extern const SolveKernels kSolveKernels{eliminate_panel, subtract_product, scratch_size};
 
 }  // namespace umbilic::UMBILIC_KERNELS

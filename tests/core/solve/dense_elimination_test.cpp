@@ -40,8 +40,8 @@ Eliminated eliminate(const Eigen::MatrixXd& matrix, int width, bool positive) {
   std::vector<double> scratch(kernels.scratch_size(height));
   const DensePanel panel{result.panel.data(), height, width};
   result.succeeded = kernels.eliminate_panel(panel, positive, result.pivots.data(), scratch.data());
-  if (result.succeeded && width < height)
-    kernels.subtract_outer_product(panel, result.pivots.data(), result.update.data(), scratch.data());
+  const DenseFactor below{result.panel.data() + width, height, height - width, width};
+  if (result.succeeded) kernels.subtract_product(below, result.pivots.data(), result.update.data(), scratch.data());
   return result;
 }
 
