@@ -128,6 +128,7 @@ describe('the page', () => {
     });
     expect(await page.getByText('This browser shows no WebGL 2').isVisible()).toBe(true);
     expect(errors).toEqual([]);
+    await page.getByRole('switch', { name: 'Keep symmetry' }).click(); // or the run could end before it is cancelled
     await page.getByRole('button', { name: 'Start' }).click();
     await evaluated(page, 3);
     await page.getByRole('button', { name: 'Cancel' }).click();
