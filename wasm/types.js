@@ -208,7 +208,8 @@
  * @typedef {{number: number, vertices: number, first_vertex: number, component: number}} CageBoundary
  * `repairs` has a sentence for all that was changed when the cage was read, `notes` for what was ignored or is likely to be
  * a mistake.
- * @typedef {CageCounts & {components: CageComponent[], boundaries: CageBoundary[], groups: {name: string, faces: number}[],
+ * Counts are those of the surface. Faces that are holes are counted in `holes` alone, which is left out where there are none.
+ * @typedef {CageCounts & {holes?: number, components: CageComponent[], boundaries: CageBoundary[], groups: {name: string, faces: number}[],
  *   repairs: string[], notes: string[]}} CageReport
  *
  * A group of faces of a cage's file, with their numbers from 1. A face may be in several groups.

@@ -61,6 +61,7 @@ std::string ratio(double value, double unit, std::string_view unit_name) {
 std::string input_line(std::string_view name, const CageReport& report) {
   std::string text = fmt::format("{}: {}, {}, {}", name, plural(report.vertices, "vertex", "vertices"),
                                  plural(report.edges, "edge", "edges"), plural(report.faces, "face", "faces"));
+  if (report.holes > 0) text += fmt::format(", {}", plural(report.holes, "hole", "holes"));
   if (report.components.size() > 1) text += fmt::format(", {} components", report.components.size());
   text += fmt::format(", genus {}", report.genus);
   if (!report.boundaries.empty()) {
