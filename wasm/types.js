@@ -185,6 +185,10 @@
  * @typedef {Pull & {pin: number, position: [number, number, number], off_surface: number, turned_over: boolean}} PinReport
  * Held faces that hang together; `first_face` counts from 1.
  * @typedef {Pull & {faces: number, first_face: number}} HeldRegionReport
+ * A boundary by its number from 1. `total` sums the lengths of the pulls at its vertices; `moment` is the derivative of the
+ * minimal energy by turning it about its `center`, per radian.
+ * @typedef {Pull & {boundary: number, center: [number, number, number], total: number, moment: [number, number, number]}}
+ *   HeldBoundaryReport
  */
 
 /**
@@ -195,6 +199,7 @@
  * @property {number} deviation largest distance from the cage's own surface, between points with the same parameters
  * @property {number} [closeness] the weight w of w ∫ |X − X₀|² dA, where the surface is kept near the cage's own
  * @property {HeldRegionReport[]} regions
+ * @property {HeldBoundaryReport[]} boundaries at which something is held
  * @property {PinReport[]} pins
  * @property {string[]} notes what else a user should know, a sentence each
  */

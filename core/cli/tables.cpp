@@ -120,6 +120,10 @@ std::string constraints_table(const ConstraintsReport& report) {
     text += fmt::format("  region of face {}, {}: {}\n", region.first_face, plural(region.faces, "face", "faces"),
                         pull_words(region.pull, region.strength));
   }
+  for (const HeldBoundaryReport& boundary : report.boundaries) {
+    text += fmt::format("  boundary {}: {}; {:.6g} without regard to direction\n", boundary.boundary,
+                        pull_words(boundary.pull, boundary.strength), boundary.total);
+  }
   for (const PinReport& pin : report.pins) {
     text += fmt::format("  pin {} at ({:.10g}, {:.10g}, {:.10g}): {}", pin.pin, pin.position[0], pin.position[1],
                         pin.position[2], pull_words(pin.pull, pin.strength));

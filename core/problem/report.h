@@ -249,6 +249,32 @@ struct HeldRegionReport {
   }
 };
 
+/// A boundary that is held, and how strongly it pulls.
+struct HeldBoundaryReport {
+  int boundary = 0;
+  std::array<double, 3> center{};
+  std::array<double, 3> pull{};
+  double strength = 0;
+  double total = 0;
+  std::array<double, 3> moment{};
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("boundary", self.boundary, "Its number, from 1, as reports of the cage list boundaries");
+    visit("center", self.center, "The mean of its vertices' points of the surface, x, y, z");
+    visit("pull", self.pull,
+          "Derivative of the minimal energy by moving all that is held of the boundary, in energy per length: moved "
+          "against it, the energy falls");
+    visit("strength", self.strength, "Length of pull");
+    visit("total", self.total,
+          "The lengths of the pulls at the boundary's vertices, summed: not 0 where these only cancel");
+    visit(
+        "moment", self.moment,
+        "Derivative of the minimal energy by turning all that is held of the boundary about its center, in energy per "
+        "radian: about an axis of length 1, the product with that");
+  }
+};
+
 /// What the constraints of a run do to its best surface.
 struct ConstraintsReport {
   int held_faces = 0;
@@ -256,6 +282,7 @@ struct ConstraintsReport {
   double deviation = 0;
   std::optional<double> closeness{};
   std::vector<HeldRegionReport> regions;
+  std::vector<HeldBoundaryReport> boundaries;
   std::vector<PinReport> pins;
   std::vector<std::string> notes;
 
@@ -270,6 +297,7 @@ struct ConstraintsReport {
           "for a "
           "largest deviation");
     visit("regions", self.regions, "Held faces that hang together, in the order of their first faces");
+    visit("boundaries", self.boundaries, "Boundaries at which something is held, by their numbers");
     visit("pins", self.pins, "In the order of the problem");
     visit("notes", self.notes, "What else a user should know, a sentence each");
   }
