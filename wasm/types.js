@@ -142,7 +142,7 @@
  * @typedef {{name: string, order: number, incomplete?: string}} Group
  */
 
-/** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'|'not_resolved'} LimitStatus */
+/** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'|'not_resolved'|'not_comparable'} LimitStatus */
 
 /**
  * The estimated limit of the levels' energies. Unless they converge, `energy` is the least of them and `error` is

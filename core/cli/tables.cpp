@@ -201,6 +201,9 @@ std::string limit_line(const LimitReport& limit) {
     case LimitStatus::kNotConverging:
       return fmt::format("not extrapolated: {:.10g} is an upper bound, the levels do not converge\n", limit.energy);
     case LimitStatus::kNotResolved: return "not extrapolated: the last level's energy is not the surface's\n";
+    case LimitStatus::kNotComparable:
+      return "not extrapolated: each level has its own weight with which it stays within the distance, so that their "
+             "energies do not compare\n";
   }
   return "";
 }

@@ -157,9 +157,10 @@ enum class LimitStatus {
   kNotMinimized,   ///< one of the last three levels did not converge
   kNotConverging,  ///< the last three levels are in no asymptotic range: the least energy is an upper bound
   kNotResolved,    ///< the last level's energy is not the surface's: curvature hides between its samples
+  kNotComparable,  ///< each level sought its own weight of the pull to the cage's own surface: nothing is extrapolated
 };
 
-/// "converging", "too_few_levels", "not_minimized", "not_converging", "not_resolved".
+/// "converging", "too_few_levels", "not_minimized", "not_converging", "not_resolved", "not_comparable".
 constexpr std::string_view name_of(LimitStatus status) {
   switch (status) {
     case LimitStatus::kConverging: return "converging";
@@ -167,11 +168,13 @@ constexpr std::string_view name_of(LimitStatus status) {
     case LimitStatus::kNotMinimized: return "not_minimized";
     case LimitStatus::kNotConverging: return "not_converging";
     case LimitStatus::kNotResolved: return "not_resolved";
+    case LimitStatus::kNotComparable: return "not_comparable";
   }
   return "";
 }
 
-/// See driver/extrapolate.h. Without a limit, `energy` is the least level's, and `error` and `lower` are NaN.
+/// See driver/extrapolate.h. Without a limit, `energy` is the least level's (the last one's, where levels do not
+/// compare), and `error` and `lower` are NaN.
 struct LimitReport {
   LimitStatus status = LimitStatus::kTooFewLevels;
   double energy = 0;
