@@ -81,6 +81,8 @@
  * @property {FaceSelection} [hold] faces whose surface stays that of the cage
  * @property {FaceSelection} [free] the only faces whose surface may move
  * @property {Pin[]} [pins]
+ * @property {boolean} [symmetric] whether pins, and `hold` or `free`, are copied to all places to which the cage's symmetry
+ *   maps theirs, so that the symmetry is kept; default false
  * @property {{weight: number} | {within: number}} [closeness] how near the surface stays to the cage's own
  * @property {BoundaryConditions} [boundary] of open surfaces; by default tangents are held everywhere
  */
@@ -180,9 +182,9 @@
  * How strongly something held is pulled, in energy per length: the derivative of the minimal energy by its position. Moved
  * against `pull`, the energy falls.
  * @typedef {{pull: [number, number, number], strength: number}} Pull
- * A pin by its number from 1. `off_surface` is the distance of its point from the surface, whose caps let go of it a little;
+ * A pin by its number from 1, or a copy of it by its number from 1, where the cage's symmetry maps the pin to. `off_surface` is the distance of its point from the surface, whose caps let go of it a little;
  * `turned_over` is true if the surface has its inside where the held normal points.
- * @typedef {Pull & {pin: number, position: [number, number, number], off_surface: number, turned_over: boolean}} PinReport
+ * @typedef {Pull & {pin: number, copy?: number, position: [number, number, number], off_surface: number, turned_over: boolean}} PinReport
  * Held faces that hang together; `first_face` counts from 1.
  * @typedef {Pull & {faces: number, first_face: number}} HeldRegionReport
  * A boundary by its number from 1. `total` sums the lengths of the pulls at its vertices; `moment` is the derivative of the

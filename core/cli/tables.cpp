@@ -125,11 +125,14 @@ std::string constraints_table(const ConstraintsReport& report) {
                         pull_words(boundary.pull, boundary.strength), boundary.total);
   }
   for (const PinReport& pin : report.pins) {
-    text += fmt::format("  pin {} at ({:.10g}, {:.10g}, {:.10g}): {}", pin.pin, pin.position[0], pin.position[1],
+    text += fmt::format("  pin {}{} at ({:.10g}, {:.10g}, {:.10g}): {}", pin.pin,
+                        pin.copy > 0 ? fmt::format(", copy {},", pin.copy) : "", pin.position[0], pin.position[1],
                         pin.position[2], pull_words(pin.pull, pin.strength));
     if (pin.off_surface > 0) text += fmt::format("; the surface passes at {:.1e}", pin.off_surface);
     text += '\n';
-    if (pin.turned_over) text += fmt::format("warning: the surface at pin {} is inside out\n", pin.pin);
+    if (pin.turned_over && pin.copy == 0) {
+      text += fmt::format("warning: the surface at pin {} is inside out\n", pin.pin);
+    }
   }
   text += fmt::format("  largest deviation from the cage's own surface {:.6g}\n", report.deviation);
   if (report.closeness) {

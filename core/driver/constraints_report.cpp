@@ -165,7 +165,8 @@ void add_pins(const Balance& balance, const Surface& surface, const Points& cont
     const Vector3 here = stencils[i].apply(control).col(0),
                   force = in_own_units(pull(balance.rows, balance.multipliers, number), cage);
     PinReport pin;
-    pin.pin = number + 1;
+    pin.pin = cage.pins[i].pin + 1;
+    pin.copy = cage.pins[i].copy;
     pin.position = entries(cage.placement.back(here));
     pin.pull = entries(force);
     pin.strength = force.norm();
@@ -195,7 +196,7 @@ ConstraintsReport constraints_report(const Surface& surface, const Points& contr
   add_pins(forces, surface, control, report);
   for (const int row : forces.redundant) {
     if (forces.rows.owners[row].pin < 0) continue;  // corners have some by their nature
-    report.notes.push_back(fmt::format("{} follows from the others and was dropped", name_of(forces.rows, row)));
+    report.notes.push_back(fmt::format("{} follows from the others and was dropped", name_of(cage, forces.rows, row)));
   }
   return report;
 }

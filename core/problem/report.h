@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "cage/cage.h"
@@ -215,6 +216,7 @@ struct CertificateReport {
 /// How strongly a held point is pulled, and where it is.
 struct PinReport {
   int pin = 0;
+  int copy = 0;
   std::array<double, 3> position{};
   std::array<double, 3> pull{};
   double strength = 0;
@@ -224,6 +226,10 @@ struct PinReport {
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("pin", self.pin, "Its number in the problem, from 1");
+    if (!std::is_const_v<Self> || self.copy > 0) {
+      visit("copy", self.copy,
+            "Of what the cage's symmetry maps a pin to: its number, from 1; left out for the pin itself");
+    }
     visit("position", self.position, "Where its point of the surface is, x, y, z");
     visit("pull", self.pull,
           "Derivative of the minimal energy by the position of the pin, in energy per length: moved against it, the "
@@ -301,7 +307,7 @@ struct ConstraintsReport {
           "largest deviation");
     visit("regions", self.regions, "Held faces that hang together, in the order of their first faces");
     visit("boundaries", self.boundaries, "Boundaries at which something is held, by their numbers");
-    visit("pins", self.pins, "In the order of the problem");
+    visit("pins", self.pins, "In the order of the problem, then their copies");
     visit("notes", self.notes, "What else a user should know, a sentence each");
   }
 };
