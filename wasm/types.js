@@ -81,6 +81,8 @@
  * @property {FaceSelection} [hold] faces whose surface stays that of the cage
  * @property {FaceSelection} [free] the only faces whose surface may move
  * @property {Pin[]} [pins]
+ * @property {boolean} [symmetric] whether pins, and `hold` or `free`, are copied to all places to which the cage's symmetry
+ *   maps theirs, so that the symmetry is kept; default false
  * @property {{weight: number} | {within: number}} [closeness] how near the surface stays to the cage's own
  * @property {BoundaryConditions} [boundary] of open surfaces; by default tangents are held everywhere
  */
@@ -142,7 +144,7 @@
  * @typedef {{name: string, order: number, incomplete?: string}} Group
  */
 
-/** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'|'not_resolved'} LimitStatus */
+/** @typedef {'converging'|'too_few_levels'|'not_minimized'|'not_converging'|'not_resolved'|'not_comparable'} LimitStatus */
 
 /**
  * The estimated limit of the levels' energies. Unless they converge, `energy` is the least of them and `error` is
@@ -180,11 +182,15 @@
  * How strongly something held is pulled, in energy per length: the derivative of the minimal energy by its position. Moved
  * against `pull`, the energy falls.
  * @typedef {{pull: [number, number, number], strength: number}} Pull
- * A pin by its number from 1. `off_surface` is the distance of its point from the surface, whose caps let go of it a little;
+ * A pin by its number from 1, or a copy of it by its number from 1, where the cage's symmetry maps the pin to. `off_surface` is the distance of its point from the surface, whose caps let go of it a little;
  * `turned_over` is true if the surface has its inside where the held normal points.
- * @typedef {Pull & {pin: number, position: [number, number, number], off_surface: number, turned_over: boolean}} PinReport
+ * @typedef {Pull & {pin: number, copy?: number, position: [number, number, number], off_surface: number, turned_over: boolean}} PinReport
  * Held faces that hang together; `first_face` counts from 1.
  * @typedef {Pull & {faces: number, first_face: number}} HeldRegionReport
+ * A boundary by its number from 1. `total` sums the lengths of the pulls at its vertices; `moment` is the derivative of the
+ * minimal energy by turning it about its `center`, per radian.
+ * @typedef {Pull & {boundary: number, center: [number, number, number], total: number, moment: [number, number, number]}}
+ *   HeldBoundaryReport
  */
 
 /**
@@ -195,6 +201,7 @@
  * @property {number} deviation largest distance from the cage's own surface, between points with the same parameters
  * @property {number} [closeness] the weight w of w ∫ |X − X₀|² dA, where the surface is kept near the cage's own
  * @property {HeldRegionReport[]} regions
+ * @property {HeldBoundaryReport[]} boundaries at which something is held
  * @property {PinReport[]} pins
  * @property {string[]} notes what else a user should know, a sentence each
  */
@@ -208,7 +215,8 @@
  * @typedef {{number: number, vertices: number, first_vertex: number, component: number}} CageBoundary
  * `repairs` has a sentence for all that was changed when the cage was read, `notes` for what was ignored or is likely to be
  * a mistake.
- * @typedef {CageCounts & {components: CageComponent[], boundaries: CageBoundary[], groups: {name: string, faces: number}[],
+ * Counts are those of the surface. Faces that are holes are counted in `holes` alone, which is left out where there are none.
+ * @typedef {CageCounts & {holes?: number, components: CageComponent[], boundaries: CageBoundary[], groups: {name: string, faces: number}[],
  *   repairs: string[], notes: string[]}} CageReport
  *
  * A group of faces of a cage's file, with their numbers from 1. A face may be in several groups.

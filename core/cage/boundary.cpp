@@ -38,4 +38,14 @@ std::vector<std::vector<int>> boundary_loops(const Cage& cage, const std::vector
   return loops;
 }
 
+Cage without_holes(const Cage& cage) {
+  Cage surface{cage.vertices};
+  for (int f = 0; f < static_cast<int>(cage.faces.size()); ++f) {
+    if (!std::binary_search(cage.holes.begin(), cage.holes.end(), f)) surface.faces.push_back(cage.faces[f]);
+  }
+  return surface;
+}
+
+std::vector<std::vector<int>> surface_boundaries(const Cage& cage) { return boundary_loops(without_holes(cage)); }
+
 }  // namespace umbilic

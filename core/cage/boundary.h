@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The boundary loops of a cage: the closed chains of edges that have a face on one side only.
+/// The boundary loops of a cage: the closed chains of edges that have a face on one side only; and those of its
+/// surface, which has no points over holes.
 #pragma once
 
 #include <vector>
@@ -20,5 +21,12 @@ std::vector<std::vector<int>> boundary_loops(const Cage& cage);
 
 /// The same where the open edges are known, by `open_uses`. Whether `forward` is true for them does not matter.
 std::vector<std::vector<int>> boundary_loops(const Cage& cage, const std::vector<EdgeUse>& open);
+
+/// The cage's vertices, and its faces but those marked as holes; without groups.
+Cage without_holes(const Cage& cage);
+
+/// The boundary loops of the surface of a validated cage, as `boundary_loops`: those that the constraints of a problem
+/// number.
+std::vector<std::vector<int>> surface_boundaries(const Cage& cage);
 
 }  // namespace umbilic

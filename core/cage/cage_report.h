@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace umbilic {
@@ -28,7 +29,8 @@ struct CageComponent {
   }
 };
 
-/// One loop of edges that have a face on one side only. `boundary_loops` (cage/boundary.h) has its vertices.
+/// One loop of edges that have the surface on one side only: a face that is no hole. `surface_boundaries`
+/// (cage/boundary.h) has its vertices.
 struct CageBoundary {
   int number = 0;        ///< from 1, in the order of the loops' first vertices
   int vertices = 0;      ///< as many as edges
@@ -56,10 +58,13 @@ struct CageGroup {
   }
 };
 
+/// Of the surface of a cage: faces that are holes, and the vertices and edges that only these use, are counted nowhere
+/// but in `holes`.
 struct CageReport {
   int vertices = 0;
   int edges = 0;
   int faces = 0;
+  int holes = 0;
   int genus = 0;                          ///< sum over components
   std::vector<CageComponent> components;  ///< in the order of their first face
   std::vector<CageBoundary> boundaries;   ///< by their numbers; none where the cage is closed
@@ -72,9 +77,12 @@ struct CageReport {
     visit("vertices", self.vertices, "Number of vertices");
     visit("edges", self.edges, "Number of edges");
     visit("faces", self.faces, "Number of faces");
+    if (!std::is_const_v<Self> || self.holes > 0) {
+      visit("holes", self.holes, "Number of faces that are holes, which nothing else counts; left out where none are");
+    }
     visit("genus", self.genus, "Sum over the components");
     visit("components", self.components, "In the order of their first face");
-    visit("boundaries", self.boundaries, "Loops of edges with a face on one side only; none where the cage is closed");
+    visit("boundaries", self.boundaries, "Loops of edges with the surface on one side only; none where it is closed");
     visit("groups", self.groups, "Groups of faces (g and o of an OBJ file), in the order of their first face");
     visit("repairs", self.repairs, "What had to be changed of the cage as it was given, a sentence each");
     visit("notes", self.notes, "What of the file was ignored, or is likely to be a mistake, a sentence each");

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Counts by component, then sums.
+/// Leaves out the holes, counts by component, then sums.
 #include "cage/count.h"
 
 #include <cassert>
 
+#include "cage/boundary.h"
+#include "cage/edges.h"
+
 namespace umbilic {
 
-CageReport count(const Cage& cage, const std::vector<EdgeUse>& uses, const Orientation& orientation,
-                 const std::vector<std::vector<int>>& loops) {
+namespace {
+
+/// Of a cage without holes and groups.
+CageReport count_faces(const Cage& cage) {
+  const std::vector<EdgeUse> uses = edge_uses(cage);
+  const Orientation orientation = orient(cage, uses);
   CageReport report;
   report.components.resize(orientation.component_count);
   const auto of_face = [&](int face) -> CageComponent& { return report.components[orientation.component[face]]; };
@@ -25,7 +32,7 @@ CageReport count(const Cage& cage, const std::vector<EdgeUse>& uses, const Orien
   for (std::size_t i = 0; i < uses.size(); ++i) {
     if (i == 0 || !same_edge(uses[i - 1], uses[i])) ++of_face(uses[i].face).edges;
   }
-  for (const std::vector<int>& loop : loops) {
+  for (const std::vector<int>& loop : boundary_loops(cage, open_uses(uses))) {
     const int component = component_of_vertex[loop.front()];
     ++report.components[component].boundaries;
     const auto number = static_cast<int>(report.boundaries.size()) + 1;
@@ -40,6 +47,14 @@ CageReport count(const Cage& cage, const std::vector<EdgeUse>& uses, const Orien
     report.faces += component.faces;
     report.genus += component.genus;
   }
+  return report;
+}
+
+}  // namespace
+
+CageReport count(const Cage& cage) {
+  CageReport report = count_faces(without_holes(cage));
+  report.holes = static_cast<int>(cage.holes.size());
   for (const FaceGroup& group : cage.groups)
     report.groups.push_back({group.name, static_cast<int>(group.faces.size())});
   return report;

@@ -309,14 +309,6 @@ std::optional<Error> check_edges(const Cage& cage) {
 
 }  // namespace
 
-std::vector<std::vector<int>> surface_boundaries(const Cage& cage) {
-  Cage surface{cage.vertices};
-  for (int f = 0; f < static_cast<int>(cage.faces.size()); ++f) {
-    if (!std::binary_search(cage.holes.begin(), cage.holes.end(), f)) surface.faces.push_back(cage.faces[f]);
-  }
-  return boundary_loops(surface);
-}
-
 Result<FilledCage> fill(const Cage& cage, const FillOptions& options) {
   const std::vector<Loop> loops = surface_boundaries(cage);
   const Result<std::vector<int>> chosen = chosen_loops(options, static_cast<int>(loops.size()));

@@ -66,10 +66,6 @@ struct FilledCage {
 /// The longest loop that is filled; its 2701 vertices take a second or two.
 inline constexpr int kLongestFilledLoop = 200;
 
-/// The boundary loops of the surface of a validated cage, which faces marked as holes are not part of; as
-/// `boundary_loops`.
-std::vector<std::vector<int>> surface_boundaries(const Cage& cage);
-
 /// `cage` must have passed `validate`. Faces marked as holes that touch a filled loop, directly or by others, are taken
 /// out, and so are vertices that no other face uses. What is not filled keeps its groups. Errors name the loop as a
 /// boundary, and number boundaries and vertices from 1.

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include "cage/boundary.h"
 #include "cage/cage.h"
 #include "cage/component_size.h"
 #include "cage/count.h"
@@ -113,7 +112,8 @@ std::optional<Error> check_fans(const Cage& cage, const std::vector<EdgeUse>& us
                           fmt::format("joins {} separate fans of faces: not a manifold", *pinched));
 }
 
-void drop_unused_vertices(Cage& cage) {
+/// Returns how many.
+int drop_unused_vertices(Cage& cage) {
   std::vector<int> renumbered(cage.vertices.rows(), -1);
   for (const std::vector<int>& face : cage.faces) {
     for (const int v : face) renumbered[v] = 0;
@@ -124,11 +124,13 @@ void drop_unused_vertices(Cage& cage) {
     cage.vertices.row(kept) = cage.vertices.row(v).eval();
     renumbered[v] = kept++;
   }
-  if (kept == cage.vertices.rows()) return;
+  const int dropped = static_cast<int>(cage.vertices.rows()) - kept;
+  if (dropped == 0) return 0;
   cage.vertices.conservativeResize(kept, Eigen::NoChange);
   for (std::vector<int>& face : cage.faces) {
     for (int& v : face) v = renumbered[v];
   }
+  return dropped;
 }
 
 std::optional<Error> check_sizes(const std::vector<ComponentSize>& sizes, const Naming& naming) {
@@ -186,11 +188,10 @@ Result<CageReport> validate(Cage& cage, const CageSource& source) {
   for (const EdgeUse& use : open) is_open[orientation.component[use.face]] = true;
   const std::optional<std::string> pair = coincident_pair(cage, open, naming);
   const TurnedFaces turned = turn_outward(cage, orientation, sizes, is_open);
-  CageReport report = count(cage, uses, orientation, boundary_loops(cage, open));
+  CageReport report = count(cage);
   for (CageBoundary& boundary : report.boundaries) boundary.first_vertex = naming.vertex(boundary.first_vertex);
   if (pair) report.notes.push_back(*pair + " the surface");
-  report.repairs = sentences(turned, static_cast<int>(cage.vertices.rows()) - report.vertices);
-  drop_unused_vertices(cage);
+  report.repairs = sentences(turned, drop_unused_vertices(cage));
   return report;
 }
 

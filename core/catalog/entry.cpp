@@ -73,6 +73,7 @@ std::string reason_of(const LimitReport& limit, const std::vector<LevelReport>& 
   switch (limit.status) {
     case LimitStatus::kConverging: return "";
     case LimitStatus::kNotResolved: return "the last level's energies are not its surface's";
+    case LimitStatus::kNotComparable: return "each level is pulled to the cage's own surface with another weight";
     case LimitStatus::kTooFewLevels: return "three levels are needed to tell a limit";
     case LimitStatus::kNotMinimized:
       for (const LevelReport& level : levels) {

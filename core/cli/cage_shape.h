@@ -18,7 +18,7 @@ struct CageShape {
   std::string obstacle;            ///< why no level can be evaluated
 };
 
-/// `cage` must have passed `validate`.
+/// `cage` must have passed `validate`. Its holes, and what only these use, are not counted.
 CageShape shape_of(const Cage& cage);
 
 }  // namespace umbilic::cli

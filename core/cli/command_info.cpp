@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// `umbilic info`: describes a cage.
+/// `umbilic info`: describes a cage, or that of a problem.
 #include <fmt/format.h>
 
 #include <memory>
@@ -12,8 +12,10 @@
 #include "cli/documents.h"
 #include "cli/exit_code.h"
 #include "cli/files.h"
+#include "cli/problem_file.h"
 #include "cli/tables.h"
 #include "cli/version.h"
+#include "problem/run_cage.h"
 
 namespace umbilic::cli {
 
@@ -72,8 +74,17 @@ std::string json(const CageFile& input) {
   return document_text("cage", document, JsonPrinter::Layout::kIndented);
 }
 
+/// The cage of the problem at `path`, with its holes but not filled, or the file's own cage.
+Result<CageFile> load_described_cage(const std::string& path) {
+  const Result<ProblemFile> file = load_problem(path);
+  if (!file) return file.error();
+  Result<CheckedCage> checked = cage_with_holes(file->problem);
+  if (!checked) return checked.error();
+  return CageFile{file->cage, std::move(checked->cage), std::move(checked->report)};
+}
+
 int run(const InfoArguments& arguments) {
-  const auto input = load_cage(arguments.cage);
+  const auto input = load_described_cage(arguments.cage);
   if (!input) return fail(kBadInput, input.error().message);
   return print(arguments.json ? json(*input) : table(*input)) ? kEnded : kCannotWrite;
 }
@@ -83,7 +94,12 @@ int run(const InfoArguments& arguments) {
 void add_info_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("info", "Check a cage and count its parts, components and genus");
   const auto arguments = std::make_shared<InfoArguments>();
-  add_cage_argument(*command, arguments->cage);
+  command
+      ->add_option("CAGE", arguments->cage,
+                   "OBJ or OFF file of a polygon mesh; or a problem or report (JSON), whose cage is\n"
+                   "described with its holes; or - for standard input")
+      ->required()
+      ->type_name("");
   add_json_flag(*command, arguments->json);
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

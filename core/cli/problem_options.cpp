@@ -198,6 +198,11 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.hold; });
   add_groups(command, changes, "--free", "Let only the faces of this group move; may be repeated",
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.free; });
+  command.add_flag(
+      "--hold-symmetric",
+      [changes](std::int64_t) { changes->push_back([](Problem& problem) { problem.constraints.symmetric = true; }); },
+      "Copy pins, and what --hold or --free name, to all places to which the cage's symmetry maps\n"
+      "theirs, so that the symmetry is kept");
   add_fill(command, changes);
 }
 

@@ -61,6 +61,7 @@ std::string ratio(double value, double unit, std::string_view unit_name) {
 std::string input_line(std::string_view name, const CageReport& report) {
   std::string text = fmt::format("{}: {}, {}, {}", name, plural(report.vertices, "vertex", "vertices"),
                                  plural(report.edges, "edge", "edges"), plural(report.faces, "face", "faces"));
+  if (report.holes > 0) text += fmt::format(", {}", plural(report.holes, "hole", "holes"));
   if (report.components.size() > 1) text += fmt::format(", {} components", report.components.size());
   text += fmt::format(", genus {}", report.genus);
   if (!report.boundaries.empty()) {
@@ -119,12 +120,19 @@ std::string constraints_table(const ConstraintsReport& report) {
     text += fmt::format("  region of face {}, {}: {}\n", region.first_face, plural(region.faces, "face", "faces"),
                         pull_words(region.pull, region.strength));
   }
+  for (const HeldBoundaryReport& boundary : report.boundaries) {
+    text += fmt::format("  boundary {}: {}; {:.6g} without regard to direction\n", boundary.boundary,
+                        pull_words(boundary.pull, boundary.strength), boundary.total);
+  }
   for (const PinReport& pin : report.pins) {
-    text += fmt::format("  pin {} at ({:.10g}, {:.10g}, {:.10g}): {}", pin.pin, pin.position[0], pin.position[1],
+    text += fmt::format("  pin {}{} at ({:.10g}, {:.10g}, {:.10g}): {}", pin.pin,
+                        pin.copy > 0 ? fmt::format(", copy {},", pin.copy) : "", pin.position[0], pin.position[1],
                         pin.position[2], pull_words(pin.pull, pin.strength));
     if (pin.off_surface > 0) text += fmt::format("; the surface passes at {:.1e}", pin.off_surface);
     text += '\n';
-    if (pin.turned_over) text += fmt::format("warning: the surface at pin {} is inside out\n", pin.pin);
+    if (pin.turned_over && pin.copy == 0) {
+      text += fmt::format("warning: the surface at pin {} is inside out\n", pin.pin);
+    }
   }
   text += fmt::format("  largest deviation from the cage's own surface {:.6g}\n", report.deviation);
   if (report.closeness) {
@@ -196,6 +204,9 @@ std::string limit_line(const LimitReport& limit) {
     case LimitStatus::kNotConverging:
       return fmt::format("not extrapolated: {:.10g} is an upper bound, the levels do not converge\n", limit.energy);
     case LimitStatus::kNotResolved: return "not extrapolated: the last level's energy is not the surface's\n";
+    case LimitStatus::kNotComparable:
+      return "not extrapolated: each level has its own weight with which it stays within the distance, so that their "
+             "energies do not compare\n";
   }
   return "";
 }

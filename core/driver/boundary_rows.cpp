@@ -108,7 +108,8 @@ class Rows {
   int vertex_ = 0;
 };
 
-/// The loops in the order of their first vertices, in which reports of a cage number them.
+}  // namespace
+
 std::vector<std::vector<int>> numbered_loops(const PolygonMesh& mesh) {
   std::vector<std::vector<int>> loops = boundary_loops(mesh);
   const auto first_vertex = [&](const std::vector<int>& loop) {
@@ -120,8 +121,6 @@ std::vector<std::vector<int>> numbered_loops(const PolygonMesh& mesh) {
             [&](const auto& a, const auto& b) { return first_vertex(a) < first_vertex(b); });
   return loops;
 }
-
-}  // namespace
 
 Result<std::vector<BoundaryCondition>> boundary_conditions(const BoundaryConditions& conditions,
                                                            const PolygonMesh& mesh) {

@@ -25,6 +25,10 @@
 
 namespace umbilic {
 
+/// The boundary's loops in the order of their first vertices: that in which reports of a cage and constraints number
+/// them. Refinement does not change it.
+std::vector<std::vector<int>> numbered_loops(const PolygonMesh& mesh);
+
 /// The condition at each half-edge of the mesh of the cage, where that has the boundary on its right. Empty for closed
 /// meshes. Errors name a loop or a vertex that the cage does not have, and curvature where the cage gives none.
 Result<std::vector<BoundaryCondition>> boundary_conditions(const BoundaryConditions& conditions,

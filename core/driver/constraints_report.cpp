@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Floods regions, solves for multipliers and compares points.
+/// Floods regions, compares points, and puts the forces of driver/balance.h into the words of a report.
 #include "driver/constraints_report.h"
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "driver/balance.h"
 #include "driver/equations.h"
 #include "surface/patch_evaluator.h"
 
@@ -18,17 +19,6 @@ namespace {
 
 /// The deviation is taken over a grid of so many points along each edge of a patch.
 constexpr QuadratureRule kDeviationRule{4, 4, 0};
-
-/// The gradient of the minimized energy by all control points, held or not: a symmetric surface's is the projection of
-/// that of its representative patches.
-Points full_gradient(const Surface& surface, const Points& control) {
-  Points gradient;
-  surface.energy().evaluate(control, &gradient);
-  if (surface.symmetry().generators.empty()) return gradient;
-  const Coordinates symmetric(surface.mesh(), surface.symmetry());
-  const Points centre = symmetric.control(Eigen::VectorXd::Zero(symmetric.count()));
-  return symmetric.control(symmetric.pull_back(gradient)) - centre;
-}
 
 std::array<double, 3> entries(const Vector3& vector) { return {vector[0], vector[1], vector[2]}; }
 
@@ -130,54 +120,53 @@ HeldRegions::HeldRegions(const PolygonMesh& mesh, const std::vector<bool>& held)
   }
 }
 
-ConstraintsReport constraints_report(const Surface& surface, const Points& control, const HeldRegions& regions) {
+namespace {
+
+/// A pull per unit of length as one per length of the cage.
+Vector3 in_own_units(const Vector3& pull, const RefinedCage& cage) {
+  return pull.unaryExpr([&](double x) { return std::ldexp(x, -cage.placement.exponent); });
+}
+
+void add_regions(const Balance& balance, const RefinedCage& cage, CapKind cap, const HeldRegions& regions,
+                 ConstraintsReport& report) {
+  const PolygonMesh& mesh = cage.mesh;
+  const HeldPoints held = held_points(cage, cap);
+  if (!held.any()) return;
+  const std::vector<int> region = regions_of_points(mesh, HeldRegions(mesh, cage.held), held.held);
+  for (int r = 0; r < regions.count(); ++r) {
+    Vector3 pull = Vector3::Zero();
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      if (region[v] == r) pull += balance.reactions.row(v).transpose();
+    }
+    pull = in_own_units(pull, cage);
+    report.regions.push_back({regions.sizes[r], regions.first_faces[r] + 1, entries(pull), pull.norm()});
+  }
+}
+
+void add_boundaries(const Balance& balance, const RefinedCage& cage, ConstraintsReport& report) {
+  for (const LoopPull& loop : loop_pulls(balance, cage)) {
+    const Vector3 force = in_own_units(loop.force, cage);
+    report.boundaries.push_back({loop.loop + 1, entries(cage.placement.back(loop.center)), entries(force), force.norm(),
+                                 std::ldexp(loop.total, -cage.placement.exponent), entries(loop.moment)});
+  }
+}
+
+void add_pins(const Balance& balance, const Surface& surface, const Points& control, ConstraintsReport& report) {
   const RefinedCage& cage = surface.cage();
   const PolygonMesh& mesh = cage.mesh;
-  const CapKind cap = surface.layout().cap();
-  const Points gradient = full_gradient(surface, control);
-  const auto in_own_units = [&](const Vector3& pull) {
-    return Vector3(pull.unaryExpr([&](double x) { return std::ldexp(x, -cage.placement.exponent); }));
-  };
-  ConstraintsReport report;
-  report.free_faces = regions.surface_faces;
-  for (const int size : regions.sizes) {
-    report.held_faces += size;
-    report.free_faces -= size;
-  }
-  report.deviation = std::ldexp(largest_deviation(surface, control), cage.placement.exponent);
-  if (cage.closeness) report.closeness = std::ldexp(*cage.closeness, -4 * cage.placement.exponent);
-
-  const HeldPoints held = held_points(cage, cap);
-  if (held.any()) {
-    const std::vector<int> region = regions_of_points(mesh, HeldRegions(mesh, cage.held), held.held);
-    for (int r = 0; r < regions.count(); ++r) {
-      Vector3 pull = Vector3::Zero();
-      for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (region[v] == r) pull += gradient.row(v).transpose();
-      }
-      pull = in_own_units(pull);
-      report.regions.push_back({regions.sizes[r], regions.first_faces[r] + 1, entries(pull), pull.norm()});
-    }
-  }
-  if (cage.pins.empty()) return report;
-
-  const PatchLayout layout(mesh, cap, face_orbits(mesh, {}), cage.held);
+  const PatchLayout layout(mesh, surface.layout().cap(), face_orbits(mesh, {}), cage.held);
   const Points points = layout.extend(control);
-  const Coordinates coordinates(mesh, {}, held);
-  const PinRows rows = equations_of(cage);
-  const AffineSubspace solutions(in_coordinates(rows.rows, coordinates), coordinates.unknowns(control));
   const std::vector<int> turned = turned_over(cage.pins, mesh, control);
   std::vector<SurfacePlace> places;
   for (const HeldPoint& pin : cage.pins) places.push_back(pin.place);
   const std::vector<LimitStencil> stencils = limit_stencils(mesh, places);
-  const bool solved = solutions.contradiction().empty();
-  const Eigen::VectorXd multipliers =
-      solved ? solutions.multipliers(coordinates.pull_back(gradient)) : Eigen::VectorXd::Zero(rows.rows.count());
   for (std::size_t i = 0; i < cage.pins.size(); ++i) {
     const int number = static_cast<int>(i);
-    const Vector3 here = stencils[i].apply(control).col(0), force = in_own_units(pull(rows, multipliers, number));
+    const Vector3 here = stencils[i].apply(control).col(0),
+                  force = in_own_units(pull(balance.rows, balance.multipliers, number), cage);
     PinReport pin;
-    pin.pin = number + 1;
+    pin.pin = cage.pins[i].pin + 1;
+    pin.copy = cage.pins[i].copy;
     pin.position = entries(cage.placement.back(here));
     pin.pull = entries(force);
     pin.strength = force.norm();
@@ -186,10 +175,28 @@ ConstraintsReport constraints_report(const Surface& surface, const Points& contr
     pin.turned_over = std::find(turned.begin(), turned.end(), number) != turned.end();
     report.pins.push_back(pin);
   }
-  if (!solved) return report;
-  for (const int row : solutions.redundant()) {
-    if (rows.owners[row].pin < 0) continue;  // corners have some by their nature
-    report.notes.push_back(fmt::format("{} follows from the others and was dropped", name_of(rows, row)));
+}
+
+}  // namespace
+
+ConstraintsReport constraints_report(const Surface& surface, const Points& control, const HeldRegions& regions) {
+  const RefinedCage& cage = surface.cage();
+  ConstraintsReport report;
+  report.free_faces = regions.surface_faces;
+  for (const int size : regions.sizes) {
+    report.held_faces += size;
+    report.free_faces -= size;
+  }
+  report.deviation = std::ldexp(largest_deviation(surface, control), cage.placement.exponent);
+  if (cage.closeness) report.closeness = std::ldexp(*cage.closeness, -4 * cage.placement.exponent);
+  const Balance forces = balance_of(surface, control);
+  add_regions(forces, cage, surface.layout().cap(), regions, report);
+  add_boundaries(forces, cage, report);
+  if (cage.pins.empty()) return report;
+  add_pins(forces, surface, control, report);
+  for (const int row : forces.redundant) {
+    if (forces.rows.owners[row].pin < 0) continue;  // corners have some by their nature
+    report.notes.push_back(fmt::format("{} follows from the others and was dropped", name_of(cage, forces.rows, row)));
   }
   return report;
 }

@@ -2,8 +2,9 @@
 /// \file
 /// What constraints do to a surface: how strongly held parts pull, and how far the surface has moved.
 ///
-/// At a minimum, the gradient of the energy by the control points is balanced by what is held. The pull of a pin or of
-/// a held region is the derivative of the minimal energy by moving it (the Lagrange multiplier of its equations).
+/// At a minimum, the gradient of the energy by the control points is balanced by what is held (driver/balance.h). The
+/// pull of a pin, of a boundary or of a held region is the derivative of the minimal energy by moving it, while all
+/// else that is held stays.
 #pragma once
 
 #include <vector>

@@ -50,11 +50,13 @@ PinRows equations_of(const RefinedCage& cage) {
   return result;
 }
 
-std::string name_of(const PinRows& rows, int row) {
+std::string name_of(const RefinedCage& cage, const PinRows& rows, int row) {
   constexpr std::array kNames{"x", "y", "z", "normal", "normal"};
   const PinRow& owner = rows.owners[row];
   if (owner.pin < 0) return fmt::format("the boundary at vertex {}", owner.vertex + 1);
-  return fmt::format("pin {} ({})", owner.pin + 1, kNames[owner.coordinate]);
+  const HeldPoint& point = cage.pins[owner.pin];
+  return fmt::format("{}pin {} ({})", point.copy > 0 ? fmt::format("copy {} of ", point.copy) : "", point.pin + 1,
+                     kNames[owner.coordinate]);
 }
 
 std::shared_ptr<const AffineSubspace> solutions_of(const RefinedCage& cage, const Coordinates& coordinates) {
@@ -69,7 +71,7 @@ std::optional<Error> contradiction_of(const RefinedCage& cage, const Coordinates
   const PinRows rows = equations_of(cage);
   std::string names;
   for (const int row : solutions.contradiction()) {
-    if (const std::string name = name_of(rows, row); names.find(name) == names.npos) {
+    if (const std::string name = name_of(cage, rows, row); names.find(name) == names.npos) {
       names += (names.empty() ? "" : ", ") + name;
     }
   }

@@ -18,8 +18,8 @@ namespace umbilic {
 /// The equations over the coordinates 3 v + c of the control points.
 PinRows equations_of(const RefinedCage& cage);
 
-/// What equation `row` holds, for messages: "pin 2 (x)", "the boundary at vertex 7".
-std::string name_of(const PinRows& rows, int row);
+/// What equation `row` holds, for messages: "pin 2 (x)", "copy 3 of pin 2 (x)", "the boundary at vertex 7".
+std::string name_of(const RefinedCage& cage, const PinRows& rows, int row);
 
 /// The solutions over the unknowns of `coordinates`, nearest to the cage's control points; null without equations. The
 /// equations must not contradict one another.

@@ -55,6 +55,16 @@ Result<std::vector<bool>> held_faces(const Cage& cage, const Constraints& constr
   return held;
 }
 
+std::vector<bool> images_of_faces(const std::vector<bool>& selected, const std::vector<Symmetry>& symmetries,
+                                  const PolygonMesh& mesh) {
+  std::vector<bool> images(selected.size(), false);
+  for (std::size_t f = 0; f < selected.size(); ++f) {
+    if (!selected[f]) continue;
+    for (const Symmetry& symmetry : symmetries) images[image_of_face(mesh, symmetry.map, static_cast<int>(f))] = true;
+  }
+  return images;
+}
+
 HeldFaces::HeldFaces(const std::vector<bool>& held, const std::vector<BoundaryCondition>& boundary,
                      const PolygonMesh& mesh, const Points& points)
     : held_(held), boundary_(boundary), mesh_(mesh), points_(points) {

@@ -17,6 +17,10 @@ namespace umbilic {
 /// have, and constraints that leave nothing free.
 Result<std::vector<bool>> held_faces(const Cage& cage, const Constraints& constraints);
 
+/// The faces of a mesh to which the symmetries map those that are `selected`.
+std::vector<bool> images_of_faces(const std::vector<bool>& selected, const std::vector<Symmetry>& symmetries,
+                                  const PolygonMesh& mesh);
+
 /// Which symmetries keep held faces and boundaries.
 class HeldFaces {
  public:

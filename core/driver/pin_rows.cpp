@@ -96,6 +96,7 @@ Result<std::vector<HeldPoint>> hold(const std::vector<Pin>& pins, const RefinedC
   for (std::size_t i = 0; i < pins.size(); ++i) {
     const Result<SurfacePlace> place = place_of(pins[i], i, cage.mesh);
     if (!place) return place.error();
+    held[i].pin = static_cast<int>(i);
     held[i].place = *place;
   }
   const std::vector<LimitStencil> stencils = stencils_of(held, cage.mesh);
@@ -200,6 +201,54 @@ bool keeps(const Symmetry& symmetry, const Vector3& center, const std::vector<He
     if (!found) return false;
   }
   return true;
+}
+
+namespace {
+
+/// What the isometry about the center maps the targets to, if that can be held.
+bool map_targets(const Eigen::Matrix3d& isometry, const Vector3& center, HeldPoint& point) {
+  const Eigen::Matrix3d held = isometry * held_coordinates(point) * isometry.transpose();
+  const Vector3 rounded = held.diagonal().array().round();
+  if ((held - Eigen::Matrix3d(rounded.asDiagonal())).norm() > kSameTarget) return false;
+  for (int c = 0; c < 3; ++c) point.holds[c] = rounded[c] != 0;
+  point.position = center + isometry * (point.position - center);
+  point.normal = isometry * point.normal;
+  return true;
+}
+
+}  // namespace
+
+Result<std::vector<HeldPoint>> with_images(const std::vector<HeldPoint>& held, const std::vector<Symmetry>& symmetries,
+                                           const Vector3& center, const PolygonMesh& mesh) {
+  std::vector<HeldPoint> result = held;
+  std::vector<LimitStencil> stencils = stencils_of(held, mesh);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    std::vector<HeldPoint> images;
+    for (const Symmetry& symmetry : symmetries) {
+      HeldPoint image = held[i];
+      image.place = image_of(image.place, symmetry.map, mesh);
+      if (!map_targets(symmetry.isometry, center, image)) {
+        return refused(i,
+                       "at: only some coordinates are held, which the cage's symmetry does not map to coordinates; "
+                       "hold all three, or leave out constraints.symmetric");
+      }
+      images.push_back(image);
+    }
+    const std::vector<LimitStencil> places = stencils_of(images, mesh);
+    int copies = 0;
+    for (std::size_t k = 0; k < images.size(); ++k) {
+      bool known = false;
+      for (std::size_t j = 0; j < result.size() && !known; ++j) {
+        known = maps_targets(Eigen::Matrix3d::Identity(), center, images[k], result[j]) &&
+                same_point(places[k], stencils[j]);
+      }
+      if (known) continue;
+      images[k].copy = ++copies;
+      result.push_back(images[k]);
+      stencils.push_back(places[k]);
+    }
+  }
+  return result;
 }
 
 }  // namespace umbilic

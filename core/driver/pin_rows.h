@@ -34,7 +34,7 @@ std::vector<HeldPoint> refined(std::vector<HeldPoint> held, const PolygonMesh& m
 
 /// What an equation holds of which point.
 struct PinRow {
-  int pin;          ///< -1 if it is that of a boundary
+  int pin;          ///< index among the held points; -1 if it is that of a boundary
   int coordinate;   ///< 0 to 2: of the position; 3, 4: n . X_u, n . X_v
   int vertex = -1;  ///< of the boundary
 };
@@ -61,5 +61,10 @@ std::vector<int> turned_over(const std::vector<HeldPoint>& held, const PolygonMe
 /// symmetric surface symmetric. Targets may differ by 1e-10 of the size, what exact equations can bear.
 bool keeps(const Symmetry& symmetry, const Vector3& center, const std::vector<HeldPoint>& held,
            const PolygonMesh& mesh);
+
+/// The pins, and what the symmetries, about `center`, map them to, without what is there already. Fails where a
+/// symmetry does not map coordinates that are held to coordinates.
+Result<std::vector<HeldPoint>> with_images(const std::vector<HeldPoint>& held, const std::vector<Symmetry>& symmetries,
+                                           const Vector3& center, const PolygonMesh& mesh);
 
 }  // namespace umbilic

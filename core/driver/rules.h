@@ -60,6 +60,11 @@ inline constexpr double kHarmlessError = 1e-4;
 /// Whether a level exploits the quadrature error. `start` is the energy at which it began, or that of the level before
 /// if smaller; `energy` is its current one, both by the minimizing rule; `reported` is the current energy by the
 /// reporting rule.
+///
+/// A run that goes on from a surface measures what it gains from there, which may be little where it had been minimized
+/// already. So it may take a finer rule than a run without interruption, and then the energies by the minimizing rules
+/// differ by the coarser rule's error; the surfaces, and the reported energies, are the same but for what that rule
+/// misses.
 constexpr bool exploits_quadrature(const Weights& weights, double start, double energy, double reported) {
   const double error = energy < reported ? reported - energy : energy - reported;
   return error > harmless_share(weights) * (start - reported) && error > kHarmlessError * reported;

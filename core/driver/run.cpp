@@ -294,6 +294,11 @@ GroupReport Run::group() const {
 }
 
 LimitReport Run::limit() const {
+  if (state_->within) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const double energy = state_->levels.empty() ? nan : state_->levels.back().energy_reported;
+    return {LimitStatus::kNotComparable, energy, nan, nan, nan};
+  }
   return extrapolate(state_->energies_of_levels, third_order(state_->options.weights),
                      state_->level->surface().lower_bound());
 }

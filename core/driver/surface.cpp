@@ -49,6 +49,30 @@ std::vector<bool> on_quads(const std::vector<bool>& of_faces, const PolygonMesh&
   return of_quads;
 }
 
+/// Copies what the constraints hold, or free, to all places to which the cage's symmetry maps it.
+std::optional<Error> copy_over_symmetry(const Constraints& constraints, const SymmetryGroup& group, RefinedCage& cage) {
+  const std::vector<Symmetry> symmetries = elements_of(group, cage.mesh);
+  if (symmetries.empty()) return Error{"constraints.symmetric: the cage's symmetry is too large to be listed"};
+  Result<std::vector<HeldPoint>> pins = with_images(cage.pins, symmetries, group.center, cage.mesh);
+  if (!pins) return pins.error();
+  cage.pins = std::move(pins).value();
+  if (cage.held.empty()) return std::nullopt;
+  std::vector<bool> given = cage.held;
+  if (constraints.free) given.flip();
+  std::vector<bool> all = images_of_faces(given, symmetries, cage.mesh);
+  if (constraints.free) all.flip();
+  cage.held = std::move(all);
+  int held = 0;
+  for (int f = 0; f < cage.mesh.face_count(); ++f) {
+    if (!cage.mesh.is_surface(f)) cage.held[f] = false;
+    held += cage.held[f];
+  }
+  if (held == cage.mesh.surface_face_count())
+    return Error{"constraints.symmetric: all faces are held; nothing is free"};
+  if (held == 0) cage.held.clear();
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints) {
@@ -65,11 +89,20 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, co
   if (faces > kMaxFaces) {
     return Error{fmt::format("level {} would have {:.3g} faces; at most {} are possible", steps, faces, kMaxFaces)};
   }
-  if (symmetric) result.symmetry = find_symmetry(mesh, result.control);
+  SymmetryGroup group;
+  if (symmetric || constraints.symmetric) group = find_symmetry(mesh, result.control);
+  if (constraints.symmetric) {
+    const Coordinates coordinates(mesh, group);
+    result.control = coordinates.control(coordinates.unknowns(result.control));
+  }
+  if (symmetric) result.symmetry = group;
   if (constraints.any()) {
     Result<std::vector<HeldPoint>> pins = hold(constraints.pins, result);
     if (!pins) return pins.error();
     result.pins = std::move(pins).value();
+  }
+  if (constraints.symmetric) {
+    if (auto error = copy_over_symmetry(constraints, group, result)) return *error;
   }
   auto boundary = boundary_conditions(constraints.boundary.value_or(BoundaryConditions()), mesh);
   if (!boundary) return boundary.error();

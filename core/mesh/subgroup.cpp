@@ -61,7 +61,16 @@ struct Listed {
   }
 };
 
+bool too_many(const SymmetryGroup& group, const PolygonMesh& mesh) {
+  return static_cast<double>(group.order) * mesh.halfedge_count() > kMostListedHalfedges;
+}
+
 }  // namespace
+
+std::vector<Symmetry> elements_of(const SymmetryGroup& group, const PolygonMesh& mesh) {
+  if (too_many(group, mesh)) return {};
+  return Listed(group.generators, ElementNames(mesh), mesh).elements;
+}
 
 SymmetryGroup subgroup(const SymmetryGroup& group, const PolygonMesh& mesh,
                        const std::function<bool(const Symmetry&)>& keeps) {
@@ -69,7 +78,7 @@ SymmetryGroup subgroup(const SymmetryGroup& group, const PolygonMesh& mesh,
   result.center = group.center;
   result.complete = group.complete;
   if (group.generators.empty()) return result;
-  if (static_cast<double>(group.order) * mesh.halfedge_count() > kMostListedHalfedges) {
+  if (too_many(group, mesh)) {
     result.complete = false;
     return result;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The part of a mesh's symmetry that keeps something besides the mesh, such as what a user holds.
+/// The elements of a mesh's symmetry group, and those that keep something besides the mesh, such as what a user holds.
 #pragma once
 
 #include <functional>
@@ -18,5 +18,8 @@ SymmetryGroup subgroup(const SymmetryGroup& group, const PolygonMesh& mesh,
                        const std::function<bool(const Symmetry&)>& keeps);
 
 inline constexpr double kMostListedHalfedges = 3e7;
+
+/// All elements of the group, the identity first; none where there are more than `subgroup` lists.
+std::vector<Symmetry> elements_of(const SymmetryGroup& group, const PolygonMesh& mesh);
 
 }  // namespace umbilic

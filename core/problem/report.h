@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "cage/cage.h"
@@ -157,9 +158,10 @@ enum class LimitStatus {
   kNotMinimized,   ///< one of the last three levels did not converge
   kNotConverging,  ///< the last three levels are in no asymptotic range: the least energy is an upper bound
   kNotResolved,    ///< the last level's energy is not the surface's: curvature hides between its samples
+  kNotComparable,  ///< each level sought its own weight of the pull to the cage's own surface: nothing is extrapolated
 };
 
-/// "converging", "too_few_levels", "not_minimized", "not_converging", "not_resolved".
+/// "converging", "too_few_levels", "not_minimized", "not_converging", "not_resolved", "not_comparable".
 constexpr std::string_view name_of(LimitStatus status) {
   switch (status) {
     case LimitStatus::kConverging: return "converging";
@@ -167,11 +169,13 @@ constexpr std::string_view name_of(LimitStatus status) {
     case LimitStatus::kNotMinimized: return "not_minimized";
     case LimitStatus::kNotConverging: return "not_converging";
     case LimitStatus::kNotResolved: return "not_resolved";
+    case LimitStatus::kNotComparable: return "not_comparable";
   }
   return "";
 }
 
-/// See driver/extrapolate.h. Without a limit, `energy` is the least level's, and `error` and `lower` are NaN.
+/// See driver/extrapolate.h. Without a limit, `energy` is the least level's (the last one's, where levels do not
+/// compare), and `error` and `lower` are NaN.
 struct LimitReport {
   LimitStatus status = LimitStatus::kTooFewLevels;
   double energy = 0;
@@ -212,6 +216,7 @@ struct CertificateReport {
 /// How strongly a held point is pulled, and where it is.
 struct PinReport {
   int pin = 0;
+  int copy = 0;
   std::array<double, 3> position{};
   std::array<double, 3> pull{};
   double strength = 0;
@@ -221,6 +226,10 @@ struct PinReport {
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("pin", self.pin, "Its number in the problem, from 1");
+    if (!std::is_const_v<Self> || self.copy > 0) {
+      visit("copy", self.copy,
+            "Of what the cage's symmetry maps a pin to: its number, from 1; left out for the pin itself");
+    }
     visit("position", self.position, "Where its point of the surface is, x, y, z");
     visit("pull", self.pull,
           "Derivative of the minimal energy by the position of the pin, in energy per length: moved against it, the "
@@ -249,6 +258,32 @@ struct HeldRegionReport {
   }
 };
 
+/// A boundary that is held, and how strongly it pulls.
+struct HeldBoundaryReport {
+  int boundary = 0;
+  std::array<double, 3> center{};
+  std::array<double, 3> pull{};
+  double strength = 0;
+  double total = 0;
+  std::array<double, 3> moment{};
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("boundary", self.boundary, "Its number, from 1, as reports of the cage list boundaries");
+    visit("center", self.center, "The mean of its vertices' points of the surface, x, y, z");
+    visit("pull", self.pull,
+          "Derivative of the minimal energy by moving all that is held of the boundary, in energy per length: moved "
+          "against it, the energy falls");
+    visit("strength", self.strength, "Length of pull");
+    visit("total", self.total,
+          "The lengths of the pulls at the boundary's vertices, summed: not 0 where these only cancel");
+    visit(
+        "moment", self.moment,
+        "Derivative of the minimal energy by turning all that is held of the boundary about its center, in energy per "
+        "radian: about an axis of length 1, the product with that");
+  }
+};
+
 /// What the constraints of a run do to its best surface.
 struct ConstraintsReport {
   int held_faces = 0;
@@ -256,6 +291,7 @@ struct ConstraintsReport {
   double deviation = 0;
   std::optional<double> closeness{};
   std::vector<HeldRegionReport> regions;
+  std::vector<HeldBoundaryReport> boundaries;
   std::vector<PinReport> pins;
   std::vector<std::string> notes;
 
@@ -270,7 +306,8 @@ struct ConstraintsReport {
           "for a "
           "largest deviation");
     visit("regions", self.regions, "Held faces that hang together, in the order of their first faces");
-    visit("pins", self.pins, "In the order of the problem");
+    visit("boundaries", self.boundaries, "Boundaries at which something is held, by their numbers");
+    visit("pins", self.pins, "In the order of the problem, then their copies");
     visit("notes", self.notes, "What else a user should know, a sentence each");
   }
 };

@@ -10,6 +10,9 @@
 #include <array>
 #include <utility>
 
+#include "cage/boundary.h"
+#include "cage/count.h"
+#include "cage/edges.h"
 #include "cage/fill.h"
 #include "cage/text.h"
 #include "problem/cage_of.h"
@@ -223,24 +226,47 @@ Result<RunCage> filled_cage(Problem& problem, CheckedCage made) {
   return RunCage{std::move(cage), *std::move(report), *std::move(constraints)};
 }
 
-/// Faces that are holes by the constraints.
-std::optional<Error> mark_holes(const Constraints& constraints, Cage& cage) {
+/// Where holes meet at a vertex only, its boundaries are no loops.
+std::optional<Error> check_fans(const Cage& surface) {
+  const std::vector<int> fans = fan_counts(surface, edge_uses(surface));
+  const auto pinched = std::find_if(fans.begin(), fans.end(), [](int count) { return count > 1; });
+  if (pinched == fans.end()) return std::nullopt;
+  return Error{fmt::format("vertex {} joins {} fans of faces with holes between them: not a manifold",
+                           pinched - fans.begin() + 1, *pinched)};
+}
+
+/// Faces that are holes by the constraints. The report then counts the others.
+std::optional<Error> mark_holes(const Constraints& constraints, CheckedCage& made) {
   if (!constraints.holes) return std::nullopt;
+  Cage& cage = made.cage;
   const Result<std::vector<bool>> holes = selected_faces(cage, *constraints.holes, "holes");
   if (!holes) return holes.error();
   cage.holes.clear();
   for (std::size_t f = 0; f < holes->size(); ++f) {
     if ((*holes)[f]) cage.holes.push_back(static_cast<int>(f));
   }
+  if (cage.holes.size() == cage.faces.size()) return Error{"constraints.holes: all faces are holes"};
+  if (auto error = check_fans(without_holes(cage))) return error;
+  CageReport counts = count(cage);
+  for (CageBoundary& boundary : counts.boundaries) ++boundary.first_vertex;
+  counts.repairs = std::move(made.report.repairs);
+  counts.notes = std::move(made.report.notes);
+  made.report = std::move(counts);
   return std::nullopt;
 }
 
 }  // namespace
 
-Result<RunCage> run_cage(Problem& problem) {
+Result<CheckedCage> cage_with_holes(const Problem& problem) {
   Result<CheckedCage> made = cage_of(problem.cage);
   if (!made) return made.error();
-  if (auto error = mark_holes(problem.constraints, made->cage)) return named(problem.cage, *error);
+  if (auto error = mark_holes(problem.constraints, *made)) return named(problem.cage, *error);
+  return made;
+}
+
+Result<RunCage> run_cage(Problem& problem) {
+  Result<CheckedCage> made = cage_with_holes(problem);
+  if (!made) return made.error();
   Result<RunCage> result = problem.fill ? filled_cage(problem, *std::move(made))
                                         : RunCage{std::move(made->cage), std::move(made->report), problem.constraints};
   if (!result) return named(problem.cage, result.error());

@@ -13,6 +13,10 @@
 
 namespace umbilic {
 
+/// The cage that the problem's constraints and fill number: made, and with the faces marked that are holes, but not
+/// filled. Where the constraints mark holes, the first vertices of boundaries are numbered from 1, as in the problem.
+Result<CheckedCage> cage_with_holes(const Problem& problem);
+
 struct RunCage {
   Cage cage;
   CageReport report;        ///< of this cage; its notes tell what was filled

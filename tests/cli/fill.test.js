@@ -109,6 +109,28 @@ describe.each(['bending', 'mvs_cross'])('a filled hole, minimizing %s', (functio
   });
 });
 
+test('a fill goes on from its report to the same surface, perhaps by a finer rule', () => {
+  const options = ['--functional', 'mvs_cross', '--levels', '0..1', '-q', '--report', '-'];
+  const whole = jsonOf(['optimize', 'twelve.obj', '--fill=all', ...options], scratch);
+  const goingOn = (/** @type {string[]} */ ...more) =>
+    jsonOf(['optimize', '-', ...options, ...more], { input: JSON.stringify(whole), folder: scratch.folder });
+  const on = goingOn();
+  const [first, second] = [whole, on].map(({ levels }) => levels.at(-1));
+  // What is minimized is the same: the symmetry, the constant area, what is held.
+  expect(on.group).toEqual(whole.group);
+  expect(on.energies.free.area_factor).toBe(whole.energies.free.area_factor);
+  expect(on.constraints.held_faces).toBe(whole.constraints.held_faces);
+  expect(second.unknowns).toBe(first.unknowns);
+  const start = goingOn('--max-iterations', '0').levels.at(-1);
+  expect(Math.abs(start.energy / first.energy - 1)).toBeLessThan(1e-10);
+  // The gain is small from there, so that the coarser rule's error matters beside it.
+  expect([first.quadrature, second.quadrature]).toEqual([0, 1]);
+  expect(second.energy - first.energy).toBeGreaterThan(5e-4 * first.energy);
+  // By one rule the energies are the same.
+  expect(Math.abs(second.energy_reported / first.energy_reported - 1)).toBeLessThan(1e-5);
+  expect(Math.abs(on.energies.free.area / whole.energies.free.area - 1)).toBeLessThan(1e-4);
+});
+
 describe('--fill', () => {
   const bending = ['--functional', 'bending', '-q', '--levels', '0..0'];
   const problem = (/** @type {string[]} */ ...args) =>

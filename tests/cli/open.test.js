@@ -86,6 +86,40 @@ describe('an open surface', () => {
   });
 });
 
+describe('the boundaries that info lists', () => {
+  const cage = { generator: 'cylinder', segments: [8, 4] };
+  const problem = (/** @type {object} */ constraints) =>
+    JSON.stringify({
+      umbilic: 'problem',
+      version: 1,
+      cage,
+      terms: { bending: 1 },
+      constraints,
+      options: { levels: [0, 0] },
+    });
+
+  test('are those of the surface, not of the holes beyond it', () => {
+    const out = outputOf(['info', '-'], { input: problem({}) });
+    expect(out).toBe(
+      'cylinder: 40 vertices, 72 edges, 32 faces, 16 holes, genus 0, 2 boundaries\n' +
+        '  boundary 1: 8 vertices, from vertex 1\n  boundary 2: 8 vertices, from vertex 33\n' +
+        '  valences     16 x 3, 24 x 4\n  face sizes   32 x 4\n' +
+        '  first level that can be evaluated: 0\n',
+    );
+    expect(jsonOf(['info', '-', '--json'], { input: problem({}) }).cage).toMatchObject({ faces: 32, holes: 16 });
+  });
+
+  test('have the numbers that conditions use', () => {
+    const { boundaries } = jsonOf(['info', '-', '--json'], { input: problem({}) }).cage;
+    for (const loop of [1, 2]) {
+      for (const { number, first_vertex: from } of boundaries) {
+        const input = problem({ boundary: { loops: [{ loop, from, to: from, condition: 'position' }] } });
+        expect(umbilic(['optimize', '-', '-q', '--max-iterations', '0'], { input }).code).toBe(loop === number ? 0 : 3);
+      }
+    }
+  });
+});
+
 describe('a generated open surface finds', () => {
   test('the clamped surface of revolution, and says so in its report', () => {
     const report = reportOf({ generator: 'cylinder', radius: 1, segments: [32, 12] }, { willmore: 1 });

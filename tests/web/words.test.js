@@ -201,6 +201,8 @@ describe('the limit of the levels', () => {
     const folded = { ...noLimit(), status: /** @type {const} */ ('not_resolved'), energy: 1e-22 };
     expect(limitWords(folded, levels).value).toBe('');
     expect(limitWords(folded, levels).words).toBe('no error bar: the last level’s energy is not the surface’s');
+    const pulled = { ...noLimit(), status: /** @type {const} */ ('not_comparable') };
+    expect(limitWords(pulled, levels).words).toBe('no error bar: each level is pulled with its own weight');
   });
 });
 

@@ -38,6 +38,8 @@ export function limitWords({ status, energy, order, error, lower }, levels) {
       return { value: '', error: '', words: 'no error bar: a level ended before its minimum' };
     case 'not_resolved':
       return { value: '', error: '', words: 'no error bar: the last level’s energy is not the surface’s' };
+    case 'not_comparable':
+      return { value: '', error: '', words: 'no error bar: each level is pulled with its own weight' };
     case 'not_converging':
       return { value: significant(energy), error: '', words: 'upper bound, not converging' };
   }

@@ -129,6 +129,21 @@ std::map<int, int> inner_valences(const Cage& cage) {
   return histogram;
 }
 
+/// What is said of the cage with its holes is what is said of its surface alone.
+void expect_report_of_surface(const CageReport& whole, const CageReport& surface, std::size_t holes) {
+  EXPECT_EQ(whole.holes, static_cast<int>(holes));
+  EXPECT_EQ(whole.vertices, surface.vertices);
+  EXPECT_EQ(whole.edges, surface.edges);
+  EXPECT_EQ(whole.faces, surface.faces);
+  EXPECT_EQ(whole.genus, surface.genus);
+  ASSERT_EQ(whole.boundaries.size(), surface.boundaries.size());
+  for (std::size_t i = 0; i < whole.boundaries.size(); ++i) {
+    EXPECT_EQ(whole.boundaries[i].number, surface.boundaries[i].number);
+    EXPECT_EQ(whole.boundaries[i].vertices, surface.boundaries[i].vertices);
+    EXPECT_EQ(whole.boundaries[i].first_vertex, surface.boundaries[i].first_vertex);
+  }
+}
+
 const char* const kOpenNames[] = {"disk", "cylinder", "catenoid", "spherical-cap", "n-sided"};
 
 TEST(OpenCages, have_their_surface_first_and_a_ring_of_holes_last) {
@@ -144,6 +159,7 @@ TEST(OpenCages, have_their_surface_first_and_a_ring_of_holes_last) {
     EXPECT_EQ(report.genus, 0);
     const bool annulus = std::string_view(name) == "cylinder" || std::string_view(name) == "catenoid";
     EXPECT_EQ(report.boundaries.size(), annulus ? 2u : 1u) << name;
+    expect_report_of_surface(*validate(whole), report, holes.size());
     // Each face of the surface has its whole neighbourhood, and no hole is farther away.
     const std::vector<int> inner = inner_vertices(cage);
     std::set<int> on_surface;

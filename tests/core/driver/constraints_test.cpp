@@ -3,6 +3,7 @@
 /// Runs with held points and normals, and what holding costs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -77,19 +78,26 @@ TEST(Pins, are_held_to_1e_10_of_the_size_and_normals_to_1e_8_on_every_level) {
   }
 }
 
-/// dE/d(position) of the minimal energy, by central differences of two further minima.
+/// dE/d(position) of the minimal energy, by central differences of two further minima. What pulls the surface to the
+/// cage's own is part of that energy.
 TEST(Pins, pull_with_the_derivative_of_the_minimal_energy_by_their_position) {
   Cage torus = *generate_cage("torus");
   torus.vertices *= 4;  // lengths of the cage are not those of its unit coordinates
   RunOptions options = options_for("bending", 0, 1e-12);
   options.max_iterations = 3000;
-  const umbilic::Run run = pinned(torus, options, six_pins(torus, 0.4));
-  const PinReport pin = run.constraints()->pins[0];
-  const double step = 0.02;
-  const auto energy = [&](double moved) { return pinned(torus, options, six_pins(torus, moved)).result().energy; };
-  const double slope = (energy(0.4 + step) - energy(0.4 - step)) / (2 * step);
-  EXPECT_GT(std::abs(slope), 0.01);
-  EXPECT_NEAR(pin.pull[2], slope, 1e-4 * pin.strength + 1e-3 * std::abs(slope));
+  for (const double weight : {0., 0.05}) {
+    const auto run_with = [&](double moved) {
+      Constraints constraints = six_pins(torus, moved);
+      if (weight > 0) constraints.closeness = Closeness{weight, {}};
+      return pinned(torus, options, constraints);
+    };
+    const PinReport pin = run_with(0.4).constraints()->pins[0];
+    const double step = 0.02;
+    const auto energy = [&](double moved) { return run_with(moved).result().energy; };
+    const double slope = (energy(0.4 + step) - energy(0.4 - step)) / (2 * step);
+    EXPECT_GT(std::abs(slope), 0.01);
+    EXPECT_NEAR(pin.pull[2], slope, 1e-4 * pin.strength + 1e-3 * std::abs(slope)) << weight;
+  }
 }
 
 TEST(Pins, pull_in_balance) {
@@ -140,6 +148,36 @@ TEST(Pins, that_contradict_one_another_are_named_and_those_that_follow_are_dropp
   const umbilic::Run run = *umbilic::Run::create(cube, options_for("bending", 1), constraints);
   ASSERT_EQ(run.constraints()->notes.size(), 3u);
   EXPECT_EQ(run.constraints()->notes[0], "pin 3 (x) follows from the others and was dropped");
+}
+
+/// A pin whose point depends on held control points as well: moving all that is held changes nothing.
+TEST(Pins, and_held_faces_beside_them_pull_in_balance) {
+  const RefinedCage fine = refine(*prepare(*generate_cage("cube"), 3, false), 3);
+  const Cage cage = to_cage(fine.mesh, fine.control);
+  Constraints constraints;
+  constraints.hold = FaceSelection{{}, {}};
+  for (int f = 1; f <= 192; ++f) constraints.hold->faces.push_back(f);
+  const RefinedCage prepared = *prepare(cage, 0, false, constraints);
+  const std::vector<bool> held = held_points(prepared, CapKind::kSmooth).held;
+  for (int f = 193; f <= 384 && constraints.pins.empty(); ++f) {
+    const int h = prepared.mesh.halfedge(f - 1, 0);
+    const LimitStencil stencil = limit_stencils(prepared.mesh, {{.halfedge = h, .u = 0.5, .v = 0.5}}).front();
+    const auto known = std::count_if(stencil.points.begin(), stencil.points.end(), [&](int v) { return held[v]; });
+    if (known < 2 || known + 2 > static_cast<std::ptrdiff_t>(stencil.points.size())) continue;
+    const Vector3 here = stencil.apply(prepared.control).col(0), at = prepared.placement.back(Vector3(1.1 * here));
+    Pin pin;
+    pin.face = f;
+    pin.uv = {0.5, 0.5};
+    pin.at = Coordinates3{at[0], at[1], at[2]};
+    constraints.pins = {pin};
+  }
+  RunOptions options = options_for("bending", 0, 1e-12);
+  options.max_iterations = 3000;
+  const ConstraintsReport report = *pinned(cage, options, constraints).constraints();
+  Vector3 sum = Eigen::Map<const Vector3>(report.pins.at(0).pull.data());
+  for (const HeldRegionReport& region : report.regions) sum += Eigen::Map<const Vector3>(region.pull.data());
+  EXPECT_GT(report.pins[0].strength, 1);
+  EXPECT_LT(sum.norm(), 1e-4 * report.pins[0].strength);
 }
 
 TEST(Pins, of_held_faces_contradict_them_unless_they_stay) {

@@ -31,6 +31,15 @@ TEST(Subgroup, that_keeps_everything_is_the_group) {
   EXPECT_EQ(all.order, 48);
 }
 
+TEST(Subgroup, lists_the_elements_of_a_group_the_identity_first) {
+  const Symmetric cube("cube");
+  const std::vector<Symmetry> elements = elements_of(cube.group, cube.mesh);
+  ASSERT_EQ(elements.size(), 48u);
+  EXPECT_EQ(elements[0].isometry, Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+  for (const Symmetry& element : elements) EXPECT_NEAR(std::abs(element.isometry.determinant()), 1, 1e-12);
+  EXPECT_EQ(elements_of(SymmetryGroup(), cube.mesh).size(), 1u);
+}
+
 TEST(Subgroup, of_the_identity_alone_is_C1) {
   const Symmetric cube("cube");
   int seen = 0;

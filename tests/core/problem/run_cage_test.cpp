@@ -161,5 +161,33 @@ TEST(RunCage, takes_faces_for_holes_and_fills_them) {
   EXPECT_EQ(run_cage(problem)->cage.holes.size(), 8u) << "or leaves them open";
 }
 
+TEST(RunCage, lists_the_boundaries_of_its_surface_not_those_of_its_holes) {
+  Problem problem{.cage = CageText{"t.obj", tube(8, 6)}};
+  problem.constraints.holes = FaceSelection{{}, {1, 2, 3, 4, 5, 6, 7, 8}};
+  const Result<CheckedCage> cage = cage_with_holes(problem);
+  ASSERT_TRUE(cage.ok()) << cage.error().message;
+  EXPECT_EQ(cage->report.holes, 8);
+  EXPECT_EQ(cage->report.faces, 40);
+  EXPECT_EQ(cage->report.vertices, 48);
+  ASSERT_EQ(cage->report.boundaries.size(), 2u);
+  EXPECT_EQ(cage->report.boundaries[0].first_vertex, 9);
+  EXPECT_EQ(cage->report.boundaries[1].first_vertex, 49);
+  // A ring in the middle parts the surface.
+  problem.constraints.holes->faces = {17, 18, 19, 20, 21, 22, 23, 24};
+  const CageReport parted = cage_with_holes(problem)->report;
+  EXPECT_EQ(parted.components.size(), 2u);
+  EXPECT_EQ(parted.boundaries.size(), 4u);
+  EXPECT_EQ(parted.genus, 0);
+}
+
+TEST(RunCage, refuses_holes_that_meet_at_a_vertex_only_or_are_everything) {
+  Problem problem{.cage = CageText{"t.obj", tube(8, 6)}};
+  problem.constraints.holes = FaceSelection{{}, {9, 18}};
+  EXPECT_EQ(fill_error(problem), "t.obj: vertex 18 joins 2 fans of faces with holes between them: not a manifold");
+  problem.constraints.holes->faces.clear();
+  for (int f = 1; f <= 48; ++f) problem.constraints.holes->faces.push_back(f);
+  EXPECT_EQ(fill_error(problem), "t.obj: constraints.holes: all faces are holes");
+}
+
 }  // namespace
 }  // namespace umbilic

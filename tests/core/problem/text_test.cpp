@@ -224,7 +224,7 @@ TEST(Text, errors_name_the_member) {
       {with(R"("options": {"levles": [0, 1]})"),
        "options.'levles': unknown; known are cap, levels, max_iterations, tolerance, symmetry, metric"},
       {with(R"("constraints": {"volume": 1})"),
-       "constraints.'volume': unknown; known are hold, free, pins, closeness, boundary, holes"},
+       "constraints.'volume': unknown; known are hold, free, pins, symmetric, closeness, boundary, holes"},
       {with(R"("start": {"level": -1, "points": []})"), "start.level: -1 is negative"},
       {with(R"("start": {"level": 0, "points": [1, 2]})"), "start.points: 2 numbers, not three for each point"},
       {with(R"("start": {"level": 0, "points": [1, 2, "x"]})"), "start.points[2]: expected a number"},
