@@ -37,7 +37,7 @@ Constraints pinned_at(int vertex, std::optional<Coordinates3> at = {}, bool norm
   return constraints;
 }
 
-RunOptions options_for(const char* functional, int last_level) {
+RunOptions levels_up_to(const char* functional, int last_level) {
   RunOptions options;
   options.weights = *weights_of(functional);
   options.last_level = last_level;
@@ -80,7 +80,7 @@ TEST(OrbitCopies, of_a_pin_pull_as_strongly_as_it_and_are_numbered_in_the_report
   middle.face = 1;
   middle.uv = {0.5, 0.5};
   constraints.pins.push_back(middle);
-  umbilic::Run run = *umbilic::Run::create(*generate_cage("cube"), options_for("mvs_cross", 1), constraints);
+  umbilic::Run run = *umbilic::Run::create(*generate_cage("cube"), levels_up_to("mvs_cross", 1), constraints);
   while (!run.step(1000)) {
   }
   EXPECT_EQ(run.group().name, "Oh");
@@ -100,7 +100,8 @@ TEST(OrbitCopies, of_a_pin_pull_as_strongly_as_it_and_are_numbered_in_the_report
 /// The corner lies on mirror planes on which its target does not lie.
 TEST(OrbitCopies, of_a_pin_cannot_hold_one_point_in_several_places) {
   const Constraints constraints = symmetric(pinned_at(1, Coordinates3{-0.9, -1, -1.1}));
-  const Result<umbilic::Run> run = umbilic::Run::create(*generate_cage("cube"), options_for("bending", 1), constraints);
+  const Result<umbilic::Run> run =
+      umbilic::Run::create(*generate_cage("cube"), levels_up_to("bending", 1), constraints);
   ASSERT_FALSE(run);
   EXPECT_NE(run.error().message.find("constraints: pin 1 ("), std::string::npos) << run.error().message;
   EXPECT_NE(run.error().message.find("cannot "), std::string::npos) << run.error().message;
