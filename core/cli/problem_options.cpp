@@ -198,6 +198,9 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.hold; });
   add_groups(command, changes, "--free", "Let only the faces of this group move; may be repeated",
              [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.free; });
+  add_groups(command, changes, "--holes",
+             "No surface over the faces of this group, which say how it goes on beyond its boundary; may be repeated",
+             [](Constraints& constraints) -> std::optional<FaceSelection>& { return constraints.holes; });
   command.add_flag(
       "--hold-symmetric",
       [changes](std::int64_t) { changes->push_back([](Problem& problem) { problem.constraints.symmetric = true; }); },

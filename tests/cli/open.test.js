@@ -52,6 +52,16 @@ describe('an open surface', () => {
     expect(out).toMatch(/^ {2}largest deviation from the cage's own surface \d/m);
   });
 
+  test('has the faces of a group beyond its boundary, as generated cages have them', () => {
+    const generated = outputOf(['cage', 'cylinder', '--segments', '16x4']);
+    const run = ['optimize', '-', '--functional', 'willmore', '--levels', '0', '-q', '--report', '-'];
+    const cage = { generator: 'cylinder', segments: [16, 4] };
+    const { energies } = jsonOf([...run, '--holes', 'hole'], { input: generated });
+    expect(energies.willmore / reportOf(cage, { willmore: 1 }).energies.willmore).toBeCloseTo(1, 9);
+    // Without, they are part of the surface.
+    expect(jsonOf(run, { input: generated }).energies.area).toBeGreaterThan(1.2 * energies.area);
+  });
+
   test('holds its tangents unless something else is asked', () => {
     const run = (/** @type {string[]} */ ...args) =>
       jsonOf(['optimize', '-', '--functional', 'bending', '--levels', '0', '-q', '--report', '-', ...args], {
