@@ -25,11 +25,13 @@ namespace {
 
 using Loop = std::vector<int>;
 
-/// A loop to fill: its number, its vertices with the fill to the left, and its marked corners.
+/// A loop to fill: its number, its vertices with the fill to the left, its marked corners, and the faces whose surface
+/// depends on the fill.
 struct Task {
   int number = 0;
   Loop loop;
   std::vector<int> corners;
+  std::vector<int> rim;
 
   Error error(const std::string& what) const { return Error{fmt::format("boundary {} {}", number + 1, what)}; }
 };
@@ -263,6 +265,23 @@ std::vector<int> faces_around(const Loop& loop, const Cage& cage) {
   return faces;
 }
 
+/// Whether some face of the surface is in no rim.
+bool leave_a_rest(const std::vector<Task>& tasks, const Cage& cage) {
+  std::set<int> faces(cage.holes.begin(), cage.holes.end());
+  for (const Task& task : tasks) faces.insert(task.rim.begin(), task.rim.end());
+  return faces.size() < cage.faces.size();
+}
+
+/// The quads that the faces become in a step.
+std::vector<int> children_of(const std::vector<int>& faces, const Cage& cage) {
+  std::vector<int> first{0}, quads;
+  for (const std::vector<int>& face : cage.faces) first.push_back(first.back() + static_cast<int>(face.size()));
+  for (const int f : faces) {
+    for (int quad = first[f]; quad < first[f + 1]; ++quad) quads.push_back(quad);
+  }
+  return quads;
+}
+
 /// Keeps the order of the groups, that of their first faces.
 void add_group(Cage& cage, FaceGroup group) {
   const auto later = [&](const FaceGroup& other) { return other.faces.front() > group.faces.front(); };
@@ -275,7 +294,7 @@ Result<FilledLoop> add(const Task& task, const FillPattern& pattern, const Arriv
   FillQuads quads = fill_quads(points_of(cage, task.loop), pattern);
   smooth_fill(quads, along(task.loop, arrival.directions));
 
-  FilledLoop filled{task.number, static_cast<int>(task.loop.size()), {}, {}, faces_around(task.loop, cage), "", ""};
+  FilledLoop filled{task.number, static_cast<int>(task.loop.size()), {}, {}, task.rim, "", ""};
   filled.group = free_name(cage, task.number + 1);
   filled.rim_group = filled.group + "-rim";
   std::vector<int> number = task.loop;
@@ -315,7 +334,7 @@ Result<FilledCage> fill(const Cage& cage, const FillOptions& options) {
   if (!chosen) return chosen.error();
   std::vector<Task> tasks;
   for (const int loop : *chosen) {
-    tasks.push_back({loop, loops[loop], {}});
+    tasks.push_back({loop, loops[loop], {}, {}});
     turn(tasks.back().loop);
     if (loops[loop].size() > kLongestFilledLoop) {
       return tasks.back().error(
@@ -332,13 +351,19 @@ Result<FilledCage> fill(const Cage& cage, const FillOptions& options) {
     for (const Task& task : tasks) patterns.push_back(pattern_of(task, result.cage, arrival));
     return patterns;
   };
+  for (Task& task : tasks) task.rim = faces_around(task.loop, result.cage);
   Arrival arrival(result.cage);
   std::vector<std::optional<FillPattern>> patterns = patterns_of(arrival);
   if (const auto none = std::find(patterns.begin(), patterns.end(), std::nullopt); none != patterns.end()) {
     result.refined = why_refined(tasks[none - patterns.begin()]);
     number_quads(result);
+    const bool rest = leave_a_rest(tasks, result.cage);
+    for (Task& task : tasks) task.rim = children_of(task.rim, result.cage);
     result.cage = refined(result.cage);
-    for (Task& task : tasks) task.loop = refined_loop(task.loop, result.cage);
+    for (Task& task : tasks) {
+      task.loop = refined_loop(task.loop, result.cage);
+      if (!rest) task.rim = faces_around(task.loop, result.cage);
+    }
     arrival = Arrival(result.cage);
     patterns = patterns_of(arrival);
   }

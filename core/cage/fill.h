@@ -42,8 +42,10 @@ struct FillOptions {
   std::vector<FillCorners> corners{};  ///< at most one for each loop; without, they are chosen as above
 };
 
-/// `rim` are the faces around the loop that touch it. The surface over them depends on the new vertices; all others
-/// keep theirs.
+/// `rim` are the faces that touch the loop, or the quads of those that touched it before the cage was refined: what
+/// closes the loop decides on their surface, and all other faces keep theirs. The step's rules for boundaries move the
+/// loop off the surface, so that it should not be held; only where that would leave no other face, the rim of a refined
+/// cage is the quads that touch the loop.
 struct FilledLoop {
   int loop = 0;
   int edges = 0;              ///< of the loop when it was filled

@@ -8,7 +8,8 @@
 ///     dE/dP = A^T lambda + r,   r = 0 but at H.
 ///
 /// lambda is the derivative of the minimal energy by b, and r that by the held points, while everything else that is
-/// held stays.
+/// held stays. Where equations follow from others, some of these are dropped, and have no part in lambda: what is held
+/// together then moves together.
 #pragma once
 
 #include <vector>

@@ -4,8 +4,9 @@
 ///
 /// A cage says nothing of how its surface meets a boundary: over the faces that touch it (the group fill-1-rim) the
 /// surface depends on what closes it. So these belong to the fill, and unless the problem itself says what is held,
-/// everything is held but the groups fill-1 and fill-1-rim, fill-2 and fill-2-rim, …: all vertices of the cage stay,
-/// and the surface over the other faces is what it was, to the last bit. `hold` with nothing in it holds nothing.
+/// everything is held but the groups fill-1 and fill-1-rim, fill-2 and fill-2-rim, …: all vertices of the cage stay
+/// (of one that must be refined first, all that the rest depends on), and the surface over the other faces is what it
+/// was, to the last bit. `hold` with nothing in it holds nothing.
 #pragma once
 
 #include "cage/read.h"

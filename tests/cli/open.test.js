@@ -133,7 +133,7 @@ describe('the boundaries that info lists', () => {
 describe('a generated open surface finds', () => {
   test('the clamped surface of revolution, and says so in its report', () => {
     const report = reportOf({ generator: 'cylinder', radius: 1, segments: [32, 12] }, { willmore: 1 });
-    const expected = 3.1239888; // DESIGN: by spectral minimization of the profile
+    const expected = 3.1239888; // by spectral minimization of the profile
     expect(Math.abs(report.energies.willmore / expected - 1)).toBeLessThan(1e-4);
     expect(report.levels[0].stop).toBe('converged');
     expect(Math.abs(report.energies.gaussian + report.energies.boundary_turning)).toBeLessThan(1e-6);

@@ -3,6 +3,9 @@
 /// What can be asked of a fill, and what it tells: loops, corners, holes, numbers and groups.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "cage/fill.h"
 #include "cage/generate.h"
 #include "filling.h"
@@ -113,7 +116,7 @@ TEST(Fill, puts_the_new_faces_of_each_loop_into_a_group_and_keeps_the_others) {
   EXPECT_EQ(groups[0].faces.size(), 36u);
   EXPECT_EQ(groups[0].faces.back(), 35);
   EXPECT_EQ(groups[1].name, "fill-1-rim");
-  EXPECT_EQ(groups[1].faces.size(), 18u) << "half of the quads of the faces at the loop";
+  EXPECT_EQ(groups[1].faces.size(), 18u) << "half of the quads of the faces at the loop: all quads would leave no rest";
   EXPECT_EQ(groups[1].faces, filled.loops[0].rim);
   EXPECT_EQ(groups[2].faces, (std::vector<int>{36, 37, 38, 39})) << "the quads of the face";
   EXPECT_EQ(groups[3].name, "fill-3-rim");
@@ -121,6 +124,29 @@ TEST(Fill, puts_the_new_faces_of_each_loop_into_a_group_and_keeps_the_others) {
   EXPECT_EQ(groups[4].faces, filled.loops[0].faces);
   EXPECT_EQ(groups[5].name, "fill-3");
   EXPECT_EQ(filled.loops[1].group, "fill-3");
+}
+
+/// The step's rules for boundaries move the loop, which no other face may depend on.
+TEST(Fill, of_a_refined_cage_has_all_quads_of_the_faces_at_its_loop_as_its_rim) {
+  const Cage cage = tube(9, 3);
+  const FilledCage filled = expect_closed(cage);
+  ASSERT_TRUE(filled.refined);
+  ASSERT_EQ(filled.loops.size(), 2u);
+  std::set<int> of_loop;
+  for (const FilledLoop& loop : filled.loops) {
+    EXPECT_EQ(loop.rim.size(), 36u);
+    for (const int f : loop.rim) of_loop.insert(f);
+  }
+  EXPECT_EQ(of_loop.size(), 72u);
+  for (int f = 0; f < 108; ++f) {
+    if (of_loop.count(f) > 0) continue;
+    for (const int v : filled.cage.faces[f]) {
+      const auto at = std::find(filled.vertex_numbers.begin(), filled.vertex_numbers.end(), v);
+      if (at == filled.vertex_numbers.end()) continue;
+      const auto row = (at - filled.vertex_numbers.begin()) / 9;
+      EXPECT_TRUE(row == 1 || row == 2) << "no end of the tube is a corner of the rest";
+    }
+  }
 }
 
 }  // namespace

@@ -75,7 +75,8 @@ double area_factor(const Run& run) { return run.energies().free ? run.energies()
 class BoundaryPulls : public testing::TestWithParam<std::tuple<const char*, BoundaryCondition>> {};
 
 TEST_P(BoundaryPulls, are_derivatives_of_the_minimal_energy_by_moving_and_turning_a_loop) {
-  const auto& [functional, condition] = GetParam();
+  const char* const functional = std::get<0>(GetParam());
+  const BoundaryCondition condition = std::get<1>(GetParam());
   const Cage cage = bent_tube();
   const umbilic::Run run = minimized(cage, functional, condition);
   const HeldBoundaryReport loop = run.constraints()->boundaries.at(1);
@@ -99,7 +100,8 @@ TEST_P(BoundaryPulls, are_derivatives_of_the_minimal_energy_by_moving_and_turnin
 
 /// The energy does not change when everything is moved.
 TEST_P(BoundaryPulls, and_their_moments_balance) {
-  const auto& [functional, condition] = GetParam();
+  const char* const functional = std::get<0>(GetParam());
+  const BoundaryCondition condition = std::get<1>(GetParam());
   const ConstraintsReport report = *minimized(bent_tube(), functional, condition).constraints();
   Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
   double scale = 0;

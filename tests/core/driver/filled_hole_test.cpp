@@ -122,9 +122,8 @@ TEST_P(FilledHole, of_a_sphere_becomes_its_missing_part) {
   EXPECT_NEAR(free.functionals[kBending], 2 * free.area, (n == 3 ? 0.03 : 0.006) * 2 * free.area);
 }
 
-/// Of n edges between triangles: where n is odd the cage is refined first, by the rules for boundaries, which move the
-/// hole's vertices off the sphere and towards one another; they stay there. What that costs is bending of the rest of
-/// the sphere, not of the fill alone.
+/// Of n edges between triangles: where n is odd the cage is refined first. Measured: from 0.09 % of a sphere's bending
+/// at n = 4 to 1.2 % at n = 12, the more the coarser the quads are for the hole.
 TEST_P(FilledHole, of_any_number_of_edges_nearly_becomes_the_missing_part) {
   const int n = GetParam();
   const Cage sphere = sphere_with_poles(n);
@@ -133,7 +132,7 @@ TEST_P(FilledHole, of_any_number_of_edges_nearly_becomes_the_missing_part) {
   const umbilic::Run run = minimized(hole, "bending", 1);
   EXPECT_EQ(run.result().stop, StopReason::kConverged);
   const FreeEnergies& free = *run.energies().free;
-  EXPECT_NEAR(free.functionals[kBending], 2 * free.area, 0.035 * 8 * pi);
+  EXPECT_NEAR(free.functionals[kBending], 2 * free.area, 0.012 * 8 * pi);
   EXPECT_NEAR(run.energies().gaussian, 4 * pi, 1e-3);
 }
 
