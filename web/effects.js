@@ -47,7 +47,8 @@ export function createEffects({ client, save, load, setAddress }) {
     const goesOn = then !== 'hold' && { then };
     if (isNew) {
       const look = purpose === 'entry' && { look: true };
-      client.send({ type: 'open', run, problem: problemOf(source, settings, start), ...look, ...goesOn });
+      const deviation = after.view.shading === 'deviation' && { deviation: true };
+      client.send({ type: 'open', run, problem: problemOf(source, settings, start), ...look, ...goesOn, ...deviation });
     } else if (goesOn && then !== before.opening?.then) {
       client.send({ type: then === 'run' ? 'optimize' : 'step', run });
     }
@@ -80,6 +81,11 @@ export function createEffects({ client, save, load, setAddress }) {
           client.send({ type: 'abandonCertificate', run });
         }
         break;
+      case 'viewChanged': {
+        const [was, on] = [before, after].map(({ view }) => view.shading === 'deviation');
+        if (on !== was) client.send({ type: 'deviate', on });
+        break;
+      }
       case 'downloadPressed':
         client.send({ type: 'export', run, what: action.what });
         break;

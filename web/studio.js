@@ -3,13 +3,16 @@
  * @file The studio's entry point: its state, its reducer, the worker and the views.
  */
 import { parseStudioAddress } from './address/studio.js';
+import { allQuantities, deviation } from './colour/quantities.js';
 import { createEffects } from './effects.js';
 import { loadEntry } from './files/entry.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { initialState, reduce } from './state/reduce.js';
+import { createBoundariesView } from './views/boundaries.js';
 import { createCageView } from './views/cage.js';
 import { createCertificateView } from './views/certificate.js';
+import { createClosenessView } from './views/closeness.js';
 import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
 import { createDropView, createFileTaker } from './views/drop.js';
@@ -19,10 +22,12 @@ import { createLegendView } from './views/legend.js';
 import { createLimitView } from './views/limit.js';
 import { createAlertView, createDownloadsView } from './views/notices.js';
 import { createObjectiveView } from './views/objective.js';
+import { createPinsView } from './views/pins.js';
 import { createPlotView } from './views/plot.js';
 import { createRunView } from './views/run.js';
 import { createEnergiesView, createLevelsView } from './views/tables.js';
 import { createThemeView } from './views/theme.js';
+import { deviationUnit } from './words/holding.js';
 import { createClient } from './worker/client.js';
 
 /** @import {Action} from './state/types.js' */
@@ -62,13 +67,21 @@ const byId = (id) => find(document, `#${id}`);
 const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), (chosen) =>
   dispatch({ type: 'viewChanged', change: { theme: chosen } }),
 );
-const legend = createLegendView(byId('legend'), (shading) => dispatch({ type: 'viewChanged', change: { shading } }));
+const legend = createLegendView(
+  byId('legend'),
+  (shading) => dispatch({ type: 'viewChanged', change: { shading } }),
+  (quantity) => (quantity === deviation ? deviationUnit(state.cage?.source.kind === 'text') : `in ${quantity.unit}`),
+  allQuantities,
+);
 /** @type {ReturnType<typeof import('./views/surface.js').createSurfaceView> | null} */
 let surface = null;
 const plain = [
   createEntryView(byId('entry'), dispatch),
   createCageView(byId('cage'), dispatch, takeFiles),
   createHoldView(byId('hold'), dispatch),
+  createPinsView(byId('hold'), dispatch),
+  createBoundariesView(byId('boundaries'), dispatch),
+  createClosenessView(byId('closeness'), dispatch),
   createHeldKeyView(byId('held-key')),
   createObjectiveView(byId('objective'), dispatch),
   createRunView(byId('run'), dispatch),
@@ -88,6 +101,7 @@ function show() {
   // While the surface moves, the range changes rarely; another cage or a surface at rest gets its own range.
   const range = legend.update({
     shading: state.view.shading,
+    deviations: state.surface?.deviations,
     curvatures: state.surface ? [state.surface.limit.curvatures] : [],
     occasion: `${state.run} ${state.status === 'running'}`,
   });

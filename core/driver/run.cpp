@@ -44,7 +44,8 @@ struct Run::State {
 
   RunOptions options;
   int required_level = 0;             // the first level that can be evaluated
-  std::vector<int> faces_of_corners;  // of the cage: the face of each half-edge
+  std::vector<int> cage_numbers;      // of each face of the surface, from which holes are left out, in the cage
+  std::vector<int> faces_of_corners;  // of the surface of the cage: the face of each half-edge, as in the cage
   std::unique_ptr<Level> level;
   std::optional<EndedLevel> best;  // of the levels before `level`, as far as there are any
   std::size_t result = 0;          // the index of the best level, once the run is done
@@ -80,7 +81,7 @@ struct Run::State {
   std::vector<int> cage_faces(int level_of_faces, int count) const {
     std::vector<int> faces(count);
     for (int f = 0; f < count; ++f)
-      faces[f] = level_of_faces == 0 ? f : faces_of_corners[f >> 2 * (level_of_faces - 1)];
+      faces[f] = level_of_faces == 0 ? cage_numbers[f] : faces_of_corners[f >> 2 * (level_of_faces - 1)];
     return faces;
   }
 
@@ -207,6 +208,15 @@ double own_area(const RefinedCage& cage, int required, CapKind cap) {
   return surface_integrals(JetEvaluator(layout, reporting_rule(cap)), refined.control).area;
 }
 
+/// The faces that are no holes, in the order that meshes have them in.
+std::vector<int> faces_of_surface(const Cage& cage) {
+  std::vector<int> faces;
+  for (int f = 0; f < static_cast<int>(cage.faces.size()); ++f) {
+    if (!std::binary_search(cage.holes.begin(), cage.holes.end(), f)) faces.push_back(f);
+  }
+  return faces;
+}
+
 }  // namespace
 
 Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Constraints& constraints,
@@ -227,7 +237,9 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Const
   state->options = options;
   state->required_level = required_level(prepared->mesh).value();
   if (auto error_of_size = too_large_a_run(*prepared, state->required_level, options)) return *error_of_size;
-  for (int h = 0; h < prepared->mesh.halfedge_count(); ++h) state->faces_of_corners.push_back(prepared->mesh.face(h));
+  state->cage_numbers = faces_of_surface(cage);
+  for (int h = 0; h < prepared->mesh.surface_halfedge_count(); ++h)
+    state->faces_of_corners.push_back(state->cage_numbers[prepared->mesh.face(h)]);
   if (constrained && !leaves_size_open(*prepared))
     state->fixed_area = own_area(*prepared, state->required_level, options.cap);
   state->held_regions = HeldRegions(prepared->mesh, prepared->held);
@@ -307,6 +319,7 @@ std::optional<ConstraintsReport> Run::constraints() const {
   const Surface& surface = state_->level->surface();
   if (!surface.cage().is_constrained()) return std::nullopt;
   ConstraintsReport report = constraints_report(surface, state_->level->best(), state_->held_regions);
+  for (HeldRegionReport& region : report.regions) region.first_face = state_->cage_numbers[region.first_face - 1] + 1;
   if (state_->level->unknowns() == 0) {
     report.notes.push_back(fmt::format("on level {} nothing can move: what is held determines all control points",
                                        state_->level->number()));

@@ -10,6 +10,7 @@ import { describe, expect, test } from '@jest/globals';
 import { readTexts } from './contrast.js';
 import { fish } from './fish.js';
 import { drawn, dropFile, measured, openAddress, screenshots, status } from './page.js';
+import { plate } from './plate.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -50,6 +51,18 @@ async function hold(page) {
   await drawn(page);
 }
 
+/** Opens a cage with two boundaries, of which one is filled and the other has a condition that is refused. @param {Page} page */
+async function fillAndRefuse(page) {
+  await measured(page);
+  await dropFile(page, 'plate.obj', plate());
+  await page.getByRole('button', { name: 'Fill boundary 2' }).click();
+  await page.locator('#held-count').filter({ hasText: '20 of 36 faces held' }).waitFor();
+  await page.getByRole('combobox', { name: 'What is held at boundary 1' }).selectOption('curvature');
+  await page.locator('#boundaries .problem').filter({ hasText: 'curvature' }).waitFor();
+  await page.locator('[name=shading]').selectOption('deviation');
+  await drawn(page);
+}
+
 /** @param {Page} page */
 async function notice(page) {
   await page.locator('#notices').waitFor();
@@ -66,6 +79,7 @@ const states = [
   ],
   ['the studio with a notice', 'studio.html', breakFile],
   ['the studio with held parts', 'studio.html', hold],
+  ['the studio with boundaries', 'studio.html', fillAndRefuse],
   ['the studio after a run', 'studio.html', minimize],
   [
     'the comparison with a notice',

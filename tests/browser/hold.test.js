@@ -220,10 +220,15 @@ describe('a pin', () => {
     await pointer(page, 'Pin');
     await drag(page, [0.5, 0.5], [0.5, 0.5]);
     await drag(page, [0.35, 0.5], [0.35, 0.5]);
-    await page.getByRole('spinbutton', { name: 'Vertex' }).fill('98');
-    await page.getByRole('button', { name: 'Pin it' }).click();
-    await page.waitForFunction(() => document.querySelectorAll('#pins li').length === 3);
-    await page.getByRole('button', { name: 'Remove the pin: Vertex 98' }).click();
+    // In the middle of the picture is vertex 98, which is not pinned a second time.
+    expect(await page.locator('#pins .name').allInnerTexts()).toEqual(['Vertex 98', 'Vertex 94']);
+    for (const vertex of ['98', '45']) {
+      await page.getByRole('spinbutton', { name: 'Vertex' }).fill(vertex);
+      await page.getByRole('button', { name: 'Pin it' }).click();
+      const said = vertex === '98' ? 'Vertex 98 is pinned already.' : '';
+      await page.waitForFunction((words) => document.querySelector('#hold-said')?.textContent === words, said);
+    }
+    await page.getByRole('button', { name: 'Remove the pin: Vertex 45' }).click();
     await settled(page);
     await page.screenshot({ path: path.join(screenshots, 'pinned.png') });
     const problem = JSON.parse(await download(page, 'problem'));

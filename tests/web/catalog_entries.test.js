@@ -5,7 +5,7 @@
  */
 import { readFileSync } from 'node:fs';
 import { beforeAll, expect, test } from '@jest/globals';
-import { InputError, Minimizer, load, parseReport } from '../../wasm/umbilic.js';
+import { Cage, InputError, Minimizer, load, parseReport } from '../../wasm/umbilic.js';
 import { formatStudioAddress, parseStudioAddress } from '../../web/address/studio.js';
 import { addressOf } from '../../web/state/address.js';
 import { findEntry, showsEntry } from '../../web/state/entry.js';
@@ -32,7 +32,7 @@ function open({ run, source, settings, start }) {
   /** @type {Array<() => void>} */
   const waiting = [];
   const obey = createSession({
-    core: { InputError, Minimizer, parseReport },
+    core: { Cage, InputError, Minimizer, parseReport },
     post: (message) => messages.push(message),
     yieldThen: (task) => waiting.push(task),
     now: () => 0,

@@ -5,7 +5,7 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { quantities, quantityOf, sampleValues } from '../../web/colour/quantities.js';
-import { calmRange, robustRange, sameRange } from '../../web/colour/range.js';
+import { calmRange, fullRange, robustRange, sameRange } from '../../web/colour/range.js';
 
 /** @typedef {import('../../web/colour/quantities.js').Quantity} Quantity */
 
@@ -13,7 +13,7 @@ import { calmRange, robustRange, sameRange } from '../../web/colour/range.js';
 const spread = (low, high) => Float64Array.from({ length: 1001 }, (_, i) => low + ((high - low) * i) / 1000);
 
 /** @param {import('../../web/colour/quantities.js').Shading} shading */
-const quantity = (shading) => /** @type {Quantity} */ (quantityOf(shading));
+const quantity = (shading) => /** @type {Quantity & Required<Pick<Quantity, 'value'>>} */ (quantityOf(shading));
 
 describe('a range', () => {
   test('of a signed quantity is symmetric about 0, with 0 a tick', () => {
@@ -72,6 +72,14 @@ describe('a range', () => {
     const range = robustRange(spread(-2.4, 2.4), true);
     expect(sameRange(range, robustRange(spread(-2.41, 2.41), true))).toBe(true);
     expect(sameRange(range, robustRange(spread(-5, 5), true))).toBe(false);
+  });
+});
+
+describe('a full range', () => {
+  test('has the farthest value inside, is symmetric, and is not empty where all are 0', () => {
+    const { low, high } = fullRange(Float32Array.of(0, 0, 0, -0.037));
+    expect([low, high]).toEqual([-0.04, 0.04]);
+    expect(fullRange(new Float32Array(3))).toEqual({ low: -1, high: 1, ticks: [-1, -0.5, 0, 0.5, 1] });
   });
 });
 

@@ -50,6 +50,20 @@ function run(state, ...actions) {
 const types = () => sent.map(({ type }) => type);
 
 describe('the worker is told', () => {
+  test('whether the deviation is shown, at once and with each run that it opens', () => {
+    const shade = (/** @type {import('../../web/colour/quantities.js').Shading} */ shading) =>
+      /** @type {Action} */ ({ type: 'viewChanged', change: { shading } });
+    const shown = run(resting(), shade('gaussian'), shade('deviation'), shade('deviation'));
+    expect(sent).toEqual([{ type: 'deviate', on: true }]);
+    sent = [];
+    const opening = run(shown, { type: 'generatorChanged', change: { name: 'cube' } });
+    expect(sent).toMatchObject([{ type: 'open', deviation: true }]);
+    run(opening, shade('plain'));
+    expect(sent.at(-1)).toEqual({ type: 'deviate', on: false });
+    run(resting(), { type: 'generatorChanged', change: { name: 'cube' } });
+    expect(sent.at(-1)).not.toHaveProperty('deviation');
+  });
+
   test('to open the first cage', () => {
     const state = initialState();
     effects({ type: 'alertDismissed' }, { ...state, opening: null }, state);

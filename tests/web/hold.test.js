@@ -7,7 +7,17 @@ import { grown, heldFaces, heldPart } from '../../web/state/hold.js';
 import { canStartFromSurface, reduce, startsFromSurface } from '../../web/state/reduce.js';
 import { energyNotes, objectiveValue, runButtons } from '../../web/state/select.js';
 import { defaultSettings, problemOf, settingsFrom } from '../../web/state/settings.js';
-import { changeWords, freeWords, heldWords, pinWords } from '../../web/words/holding.js';
+import {
+  changeWords,
+  closenessWords,
+  foundWords,
+  freeName,
+  freeWords,
+  heldWords,
+  pinWords,
+  pullWords,
+  regionWords,
+} from '../../web/words/holding.js';
 import { after, answered, ended, energies, openedMessages, resting, running } from './state.js';
 
 /** @typedef {import('../../web/state/types.js').Action} Action */
@@ -105,7 +115,9 @@ describe('a pin', () => {
       { type: 'vertexPinned', vertex: 8 },
     );
     expect(constraints(pinned)).toEqual({ pins: [{ vertex: 3 }, { vertex: 8 }] });
-    expect(reduce(pinned, { type: 'vertexPinned', vertex: 3 })).toBe(pinned);
+    const again = reduce(pinned, { type: 'vertexPinned', vertex: 3 });
+    expect(again).toEqual({ ...pinned, said: 'Vertex 3 is pinned already.' });
+    expect(after(again, { type: 'vertexPinned', vertex: 4 }).said).toBe('');
     const removed = after(pinned, { type: 'pinRemoved', index: 0 });
     expect(constraints(removed)).toEqual({ pins: [{ vertex: 8 }] });
     expect(constraints(after(removed, { type: 'pinRemoved', index: 0 }))).toEqual({});
@@ -210,6 +222,35 @@ describe('words', () => {
     expect(pinWords({ vertex: 4, position: false, normal: [0, 0, 1] })).toBe('Vertex 4, normal only');
   });
 
+  test('say how strongly pins and regions pull, and which region it is', () => {
+    const pull = { pull: /** @type {[number, number, number]} */ ([0, -1.5, 2]), strength: 2.5 };
+    expect(pullWords(pull).value).toBe('2.500 / length');
+    expect(pullWords(pull).direction).toMatch(/\(0, −1.5, 2\)$/);
+    const region = { ...pull, faces: 2, first_face: 1 };
+    expect(regionWords(region, groups)).toBe('head');
+    expect(regionWords({ ...region, faces: 3 }, groups)).toBe('3 faces, from face 1');
+    expect(regionWords({ ...region, first_face: 4 }, groups)).toBe('2 faces, from face 4');
+  });
+
+  test('say what a closeness is in, and the weight that was found for a distance', () => {
+    expect(closenessWords({ within: 1 }, true)).toMatch(/in the file’s units\.$/);
+    expect(closenessWords(undefined, false)).toMatch(/in the cage’s units\.$/);
+    expect(closenessWords({ weight: 1 }, true)).toMatch(/per length⁴\.$/);
+    const report = {
+      held_faces: 0,
+      free_faces: 6,
+      deviation: 0.9,
+      closeness: 12,
+      regions: [],
+      boundaries: [],
+      pins: [],
+      notes: [],
+    };
+    expect(foundWords(report, { closeness: { within: 1 } })).toEqual([expect.stringContaining('weight 12.0000')]);
+    expect(foundWords(report, { closeness: { weight: 12 } })).toEqual([]);
+    expect(foundWords(null, { closeness: { within: 1 } })).toEqual([]);
+  });
+
   test('say over what was minimized, and name the factor of third-order energies', () => {
     const free = { ...energies(40), area: 5.16, area_factor: 11.5 };
     const now = { ...energies(100), area: 12, free };
@@ -218,6 +259,9 @@ describe('words', () => {
     ]);
     expect(freeWords(now, ['bending', 'mvs_cross'])[1]).toContain('A₀ = 11.5000');
     expect(freeWords(energies(100), ['mvs'])).toEqual([]);
+    const open = { ...now, free: { ...free, area: 12 } };
+    expect(freeWords(open, ['mvs'])).toEqual([expect.stringMatching(/^A is constant/)]);
+    expect([now, open].map(freeName)).toEqual(['over the free faces', 'with the constant area A₀']);
     expect(objectiveValue({ ...defaultSettings, functional: 'bending' }, now)).toBe(40);
     const state = { ...ended(), latest: { energies: now, evaluations: 5, level: 2 } };
     expect(energyNotes(state).map(({ words }) => words)).toEqual(freeWords(now, ['mvs_cross']));

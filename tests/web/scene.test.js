@@ -6,7 +6,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import { BufferGeometry, Vector3 } from 'three';
-import { extent, setEdges, setParts, setSurface } from '../../web/scene/geometry.js';
+import { extent, setDeviations, setEdges, setParts, setSurface } from '../../web/scene/geometry.js';
 import { splitHeld } from '../../web/scene/held.js';
 import { createPace } from '../../web/scene/pace.js';
 import { nearestVertex, pick } from '../../web/scene/pick.js';
@@ -51,6 +51,15 @@ describe('a geometry', () => {
     expect(values[2]).toBe(0);
     expect(values[3]).toBe(1);
     for (const value of values) expect(Math.abs(value)).toBeLessThanOrEqual(1.0001e12);
+  });
+
+  test('has deviations only while there are some', () => {
+    const geometry = new BufferGeometry();
+    setSurface(geometry, mesh());
+    setDeviations(geometry, Float32Array.of(0, 1, -2));
+    expect([...geometry.getAttribute('deviation').array]).toEqual([0, 1, -2]);
+    setDeviations(geometry, null);
+    expect(geometry.hasAttribute('deviation')).toBe(false);
   });
 
   test('of a cage has its edges as index', () => {

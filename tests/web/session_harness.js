@@ -3,7 +3,7 @@
  * @file The worker's session on the real core, for tests: what it posts is kept, and it works when it is told to.
  */
 import { beforeAll, beforeEach } from '@jest/globals';
-import { InputError, Minimizer, load, parseReport } from '../../wasm/umbilic.js';
+import { Cage, InputError, Minimizer, load, parseReport } from '../../wasm/umbilic.js';
 import { createSession } from '../../web/worker/session.js';
 
 /** @typedef {import('../../web/worker/protocol.js').Command} Command */
@@ -30,7 +30,7 @@ export function useSession() {
     let clock = 0;
     Object.assign(session, { messages: [], waiting: [], rests: 0, pace: 5 });
     session.obey = createSession({
-      core: { InputError, Minimizer, parseReport },
+      core: { Cage, InputError, Minimizer, parseReport },
       post: (message) => session.messages.push(message),
       yieldThen: (task) => session.waiting.push(task),
       now: () => (clock += session.pace),

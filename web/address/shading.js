@@ -2,7 +2,7 @@
 /**
  * @file The address field for the quantity that colours a surface.
  */
-import { quantities } from '../colour/quantities.js';
+import { allQuantities, quantities } from '../colour/quantities.js';
 import { choice } from './fields.js';
 
 /** @import {Shading} from '../colour/quantities.js' */
@@ -10,3 +10,6 @@ import { choice } from './fields.js';
 
 /** @type {Field<Shading>} */
 export const shadingField = choice([...quantities.map(({ shading }) => shading), 'plain'], 'mean');
+
+/** Of the studio, whose surface has one that it began with. @type {Field<Shading>} */
+export const studioShadingField = choice([...allQuantities.map(({ shading }) => shading), 'plain'], 'mean');

@@ -5,7 +5,7 @@
  */
 import { cameraField } from './camera.js';
 import { choice, formatAddress, isFunctional, isShape, number, numberIn, parseAddress } from './fields.js';
-import { shadingField } from './shading.js';
+import { studioShadingField } from './shading.js';
 import { readWeights, weightsExpected, writeWeights } from './weights.js';
 
 /** @import {CapName} from '../../wasm/types.js' */
@@ -67,7 +67,7 @@ const fields = {
   cap: choice(/** @type {const} */ (['smooth', 'flat', 'none']), 'smooth'),
   symmetry: choice(/** @type {const} */ (['on', 'off']), 'on'),
   levels,
-  shading: shadingField,
+  shading: studioShadingField,
   camera: cameraField,
 };
 

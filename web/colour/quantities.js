@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The quantities that can colour a surface: each as a function of the principal curvatures κ1 ≥ κ2, with its unit
- * and colour map.
+ * @file The quantities that can colour a surface, with their units and colour maps: functions of the principal curvatures
+ * κ1 ≥ κ2, and the distance from the cage's own surface.
  */
 
 /** @import {MapName} from './maps.js' */
 
-/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'plain'} Shading */
+/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'deviation' | 'plain'} Shading */
 
 /**
  * @typedef {object} Quantity
@@ -16,11 +16,11 @@
  * @property {string} unit
  * @property {boolean} signed signed quantities have a range symmetric about 0
  * @property {MapName} map
- * @property {(kappa1: number, kappa2: number) => number} value
- * @property {string} glsl the same as `value`, in terms of `k.x` and `k.y`
+ * @property {(kappa1: number, kappa2: number) => number} [value] of curvatures; the deviation is a number by itself
+ * @property {string} glsl the same as `value`, in terms of `k.x` and `k.y`, or of the deviation `d`
  */
 
-/** @type {Quantity[]} */
+/** Those of curvatures. @type {Array<Quantity & Required<Pick<Quantity, 'value'>>>} */
 export const quantities = [
   {
     shading: 'mean',
@@ -75,12 +75,29 @@ export const quantities = [
 ];
 
 /**
+ * The signed distance from the cage's own surface, along its normal: 0 where nothing has moved.
+ * @type {Quantity}
+ */
+export const deviation = {
+  shading: 'deviation',
+  name: 'Deviation',
+  symbol: '(X − X₀)·n₀',
+  unit: 'length',
+  signed: true,
+  map: 'diverging',
+  glsl: 'd',
+};
+
+/** @type {Quantity[]} */
+export const allQuantities = [...quantities, deviation];
+
+/**
  * The quantity of a shading; null for plain.
  * @param {Shading} shading
  * @returns {Quantity | null}
  */
 export function quantityOf(shading) {
-  return quantities.find((quantity) => quantity.shading === shading) ?? null;
+  return allQuantities.find((quantity) => quantity.shading === shading) ?? null;
 }
 
 /** Largest number of values from which a range is computed; the percentiles of this many are accurate enough. */
@@ -93,13 +110,15 @@ const MAX_SAMPLES = 4096;
  * @returns {Float64Array}
  */
 export function sampleValues(quantity, curvatures) {
+  const { value: of } = quantity;
+  if (!of) return new Float64Array(0);
   const vertices = curvatures.length / 2;
   const count = Math.min(vertices, MAX_SAMPLES);
   const values = new Float64Array(count);
   let kept = 0;
   for (let i = 0; i < count; i++) {
     const vertex = Math.floor((i * vertices) / count);
-    const value = quantity.value(curvatures[2 * vertex], curvatures[2 * vertex + 1]);
+    const value = of(curvatures[2 * vertex], curvatures[2 * vertex + 1]);
     if (Number.isFinite(value)) values[kept++] = value;
   }
   return values.subarray(0, kept);

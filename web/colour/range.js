@@ -58,6 +58,16 @@ export function robustRange(values, signed) {
   return { low: ticks[0], high: ticks[ticks.length - 1], ticks };
 }
 
+/**
+ * From the largest of the values to its opposite, rounded outwards: nothing lies outside.
+ * @param {Float32Array} values
+ * @returns {Range}
+ */
+export function fullRange(values) {
+  const largest = values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+  return symmetric(largest > 0 && Number.isFinite(largest) ? roundUp(largest, NICE_ENDS) : 1);
+}
+
 /** @param {number} end @returns {Range} */
 function symmetric(end) {
   return { low: -end, high: end, ticks: [-end, -end / 2, 0, end / 2, end] };

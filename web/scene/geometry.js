@@ -42,6 +42,7 @@ function setAttribute(geometry, name, array, itemSize) {
 /** @param {BufferGeometry} geometry @param {Uint32Array} index */
 function setIndex(geometry, index) {
   const current = geometry.getIndex();
+  if (current?.array === index) return;
   if (!current || current.array.length !== index.length || index.some((value, i) => value !== current.array[i])) {
     geometry.setIndex(new BufferAttribute(index, 1));
   }
@@ -73,6 +74,16 @@ export function setSurface(geometry, mesh, held = null) {
   const rim = setParts(geometry, mesh, held);
   geometry.computeBoundingSphere();
   return rim;
+}
+
+/**
+ * Sets the distance of each vertex from the cage's own surface; without, all are 0.
+ * @param {BufferGeometry} geometry
+ * @param {Float32Array | null} deviations
+ */
+export function setDeviations(geometry, deviations) {
+  if (deviations) setAttribute(geometry, 'deviation', deviations, 1);
+  else geometry.deleteAttribute('deviation');
 }
 
 /**

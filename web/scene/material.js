@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The surface's material: a soft ceramic, coloured per vertex from the principal curvatures through a colour map.
+ * @file The surface's material: a soft ceramic, coloured per vertex from the principal curvatures or the deviation through a colour map.
  * What is held has another, in grey.
  */
 import { Color, DataTexture, DoubleSide, LinearFilter, MeshStandardMaterial, SRGBColorSpace } from 'three';
 import { MAP_SIZE, mapBytes } from '../colour/maps.js';
-import { quantities } from '../colour/quantities.js';
+import { allQuantities } from '../colour/quantities.js';
 
 /** @import {MapName} from '../colour/maps.js' */
 /** @import {Quantity} from '../colour/quantities.js' */
@@ -26,13 +26,14 @@ function mapTexture(name) {
   return texture;
 }
 
-const cases = quantities.map(({ glsl }, i) => `if (which == ${i}) return ${glsl};`).join('\n  ');
+const cases = allQuantities.map(({ glsl }, i) => `if (which == ${i}) return ${glsl};`).join('\n  ');
 
 const VERTEX_HEAD = `
 attribute vec2 curvature;
+attribute float deviation;
 uniform int which;
 varying float vQuantity;
-float quantityOf(vec2 k) {
+float quantityOf(vec2 k, float d) {
   ${cases}
   return 0.0;
 }
@@ -70,7 +71,7 @@ export function createSurfaceMaterial() {
     Object.assign(shader.uniforms, uniforms);
     shader.vertexShader = (VERTEX_HEAD + shader.vertexShader).replace(
       '#include <begin_vertex>',
-      '#include <begin_vertex>\nvQuantity = quantityOf(curvature);',
+      '#include <begin_vertex>\nvQuantity = quantityOf(curvature, deviation);',
     );
     shader.fragmentShader = (FRAGMENT_HEAD + shader.fragmentShader).replace(
       '#include <color_fragment>',
@@ -82,7 +83,7 @@ export function createSurfaceMaterial() {
     material,
     held,
     shade(quantity, range) {
-      uniforms.which.value = quantity && range ? quantities.indexOf(quantity) : -1;
+      uniforms.which.value = quantity && range ? allQuantities.indexOf(quantity) : -1;
       if (!quantity || !range) return;
       uniforms.colourMap.value = textures[quantity.map];
       uniforms.range.value = [range.low, range.high];

@@ -3,7 +3,7 @@
  * @file The three.js scene: surface, control cage, light and camera. Draws only when something has changed.
  */
 import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, Raycaster, Scene, Vector2 } from 'three';
-import { extent, setEdges, setParts, setSurface } from './geometry.js';
+import { extent, setDeviations, setEdges, setParts, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
 import { createMarks } from './marks.js';
 import { createSurfaceMaterial } from './material.js';
@@ -128,9 +128,10 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       requestRender();
     },
 
-    /** @param {core.Mesh} mesh */
-    setSurface(mesh) {
+    /** @param {core.Mesh} mesh @param {Float32Array | null} [deviations] of each vertex from the cage's own surface */
+    setSurface(mesh, deviations = null) {
       marks.setRim(surfaceGeometry, setSurface(surfaceGeometry, mesh, held));
+      setDeviations(surfaceGeometry, deviations);
       placePins(mesh);
       shown = mesh;
       stand.centre(extent(mesh.positions));
@@ -144,6 +145,12 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       held = next;
       if (!shown) return;
       marks.setRim(surfaceGeometry, setParts(surfaceGeometry, shown, held));
+      requestRender();
+    },
+
+    /** Which edges of the surface that was set last are marked, two vertices for each. @param {Uint32Array} edges */
+    setMarked(edges) {
+      marks.setBoundary(surfaceGeometry, edges);
       requestRender();
     },
 

@@ -3,15 +3,18 @@
  * @file How the worker's messages, and the loss of a worker, change the studio's state. Pure. Messages about runs that
  * are no longer shown change nothing.
  */
-import { SAMPLE_SIZE } from '../worker/protocol.js';
+import { SAMPLE_SIZE, withTopology } from '../worker/protocol.js';
 import { integer } from '../words/numbers.js';
 import { afterEntryOpened, endedWith, openWithout, showsEntry } from './entry.js';
+import { keptOf, nothingKept } from './hold.js';
 import { beginOpening, firstGenerator, openGenerated } from './opening.js';
+import { placedRefusal } from './refusal.js';
 import { settingsFrom, sourceOf } from './settings.js';
+import { cagesOf } from './taken.js';
 
 /** @import {Loss} from '../worker/client.js' */
 /** @import {Message, Opened} from '../worker/protocol.js' */
-/** @import {Opening, Sample, State} from './types.js' */
+/** @import {OpenCage, Opening, Sample, State} from './types.js' */
 
 /**
  * @param {State} state
@@ -41,11 +44,13 @@ export function afterAnswer(state, message) {
 function afterRunMessage(state, message) {
   switch (message.type) {
     case 'surfaced': {
-      const { limit, control, evaluations } = message;
+      const { evaluations, deviations = null } = message;
+      const limit = withTopology(message.limit, state.surface?.limit);
+      const control = withTopology(message.control, state.surface?.control);
       const fits = state.fits + (state.fitDue ? 1 : 0);
       return {
         ...state,
-        surface: { limit, control, evaluations },
+        surface: { limit, control, deviations, evaluations },
         coarse: message.coarse ?? false,
         fits,
         fitDue: false,
@@ -56,6 +61,8 @@ function afterRunMessage(state, message) {
       const latest = { energies, evaluations, level };
       return { ...state, latest, first: state.first ?? latest };
     }
+    case 'constrained':
+      return { ...state, constrained: message.report };
     case 'stepped':
       return {
         ...state,
@@ -97,11 +104,14 @@ function unpack(packed) {
  */
 function afterOpened(state, opening, message) {
   const { run, source, settings, purpose, then } = opening;
+  const { counts, groups, taken } = cagesOf(message);
   /** @type {State} */
   const opened = {
     ...state,
     run,
+    taken,
     opening: null,
+    refused: null,
     asked: null,
     runSettings: settings,
     group: message.group,
@@ -114,7 +124,7 @@ function afterOpened(state, opening, message) {
     return { ...opened, status: state.stop ? 'ended' : 'resting', minimizer };
   }
   if (opening.entry && opening.report && source.kind === 'generated') {
-    const cage = { source, name: source.name, counts: message.cage, groups: message.groups };
+    const cage = { source, name: source.name, counts, groups };
     return afterEntryOpened({ ...opened, cage, alert: null }, opening.entry, opening.report, message.level);
   }
   /** @type {State} */
@@ -128,12 +138,15 @@ function afterOpened(state, opening, message) {
     limit: null,
     first: null,
     certificate: null,
+    constrained: null,
   };
   if (purpose !== 'cage') return fresh;
   /** @type {State} */
   const shown = {
     ...fresh,
-    settings: { ...state.settings, constraints: {}, origin: 'cage' },
+    settings: { ...state.settings, ...nothingKept, origin: 'cage' },
+    view: { ...state.view, boundary: null },
+    said: '',
     minimizer: null,
     saved: null,
     latest: null,
@@ -141,8 +154,8 @@ function afterOpened(state, opening, message) {
     // A notice about the address must stay visible when the first cage opens.
     alert: state.cage ? null : state.alert,
   };
-  if (source.kind === 'problem') return afterFileOpened(shown, source.name, message);
-  return { ...shown, cage: { source, name: source.name, counts: message.cage, groups: message.groups } };
+  if (source.kind === 'problem') return afterFileOpened(shown, source.name, message, { counts, groups });
+  return { ...shown, cage: { source, name: source.name, counts, groups } };
 }
 
 /**
@@ -150,9 +163,10 @@ function afterOpened(state, opening, message) {
  * @param {State} shown
  * @param {string} fileName
  * @param {Opened} message
+ * @param {Pick<OpenCage, 'counts' | 'groups'>} cage
  * @returns {State}
  */
-function afterFileOpened(shown, fileName, { level, cage: counts, groups, asked, report }) {
+function afterFileOpened(shown, fileName, { level, asked, report }, { counts, groups }) {
   if (!asked) return shown;
   const source = sourceOf(asked.cage, fileName);
   const settings = settingsFrom(shown.settings, asked);
@@ -189,8 +203,12 @@ function afterFailed(state, run, message) {
     const nothing = !state.cage && opening.source.name !== firstGenerator.name;
     return nothing ? openGenerated({ ...withAlert, status: state.status, generator: firstGenerator }) : withAlert;
   }
-  const settings = { ...state.runSettings, constraints: state.settings.constraints };
-  return { ...closed, settings, alert: { title: 'These settings cannot be used', message } };
+  const settings = { ...state.runSettings, ...keptOf(state.settings) };
+  const refused = placedRefusal(state, message);
+  if (!refused) return { ...closed, settings, alert: { title: 'These settings cannot be used', message } };
+  // What could not be filled stays open; everything else waits to be changed.
+  const { fill } = state.runSettings;
+  return { ...closed, settings: refused.place === 'fill' ? { ...settings, fill } : settings, refused };
 }
 
 /** @type {Record<Loss, string>} */
@@ -235,7 +253,7 @@ function afterCertificate({ certifying, runSettings, settings, alert }, idle, de
   const message = detail || 'The surface is kept.';
   return {
     ...idle,
-    settings: { ...runSettings, constraints: settings.constraints, origin: settings.origin },
+    settings: { ...runSettings, ...keptOf(settings), origin: settings.origin },
     alert: certifying?.abandoning ? alert : { title: 'The certificate broke off', message },
   };
 }
@@ -261,7 +279,7 @@ function afterRun(state, idle, title, detail) {
     stop: started ? 'interrupted' : null,
     settings: {
       ...state.runSettings,
-      constraints: state.settings.constraints,
+      ...keptOf(state.settings),
       origin: started && state.saved ? 'surface' : 'cage',
     },
     alert: { title, message },

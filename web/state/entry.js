@@ -82,7 +82,7 @@ export function afterEntryOpened(opened, entry, report, level) {
  * @param {number} level of the surface
  * @returns {State}
  */
-export function endedWith(opened, { levels, limit, energies, certificate }, level) {
+export function endedWith(opened, { levels, limit, energies, certificate, constraints }, level) {
   return {
     ...opened,
     status: 'ended',
@@ -91,6 +91,7 @@ export function endedWith(opened, { levels, limit, energies, certificate }, leve
     limit,
     latest: { energies, evaluations: 0, level },
     certificate: certificate ?? null,
+    constrained: constraints ?? null,
   };
 }
 

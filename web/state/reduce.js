@@ -6,7 +6,7 @@ import { parseStudioAddress } from '../address/studio.js';
 import { whatIsAsked } from './address.js';
 import { afterAnswer, afterLoss } from './answers.js';
 import { openEntry, openWithout } from './entry.js';
-import { afterHold, holdsTheSame, problemOfHold } from './hold.js';
+import { afterHold, holdIsUsable, holdsTheSame, keptOf } from './hold.js';
 import { beginOpening, firstGenerator, openGenerated, openPreview } from './opening.js';
 import { changeSettings, defaultSettings, problemWith } from './settings.js';
 
@@ -31,6 +31,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
     generator: { name: address.shape, family: address.family, thickness: address.thickness },
     settings,
     cage: null,
+    taken: null,
     wanted,
     minimizer: null,
     opening: null,
@@ -54,8 +55,11 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
     exporting: false,
     certifying: null,
     certificate: null,
+    constrained: null,
+    refused: null,
+    said: '',
     alert: sentences.length ? { title: 'A part of the address is left out', message: sentences.join(' ') } : null,
-    view: { shading: address.shading, cage: false, camera: address.camera, theme, pointer: 'turn' },
+    view: { shading: address.shading, cage: false, camera: address.camera, theme, pointer: 'turn', boundary: null },
   };
   return wanted ? blank : openGenerated(blank);
 }
@@ -90,14 +94,14 @@ export function canBeCertified({ status, opening, certifying, certificate }) {
  * @returns {State}
  */
 function go(state, then) {
-  if (!state.cage || problemWith(state.settings) || problemOfHold(state)) return state;
+  if (!state.cage || problemWith(state.settings) || !holdIsUsable(state)) return state;
   const { opening } = state;
   if (opening && (opening.purpose === 'cage' || holdsTheSame(state.settings, opening.settings))) {
     return settingsAreFree(state) ? { ...state, opening: { ...opening, then } } : state;
   }
   const current = state.status === 'paused' || holdsTheSame(state.settings, state.runSettings);
   if (state.status === 'paused' || (state.status === 'resting' && current))
-    return { ...state, status: 'running', asked: null, stop: null };
+    return { ...state, status: 'running', asked: null, stop: null, constrained: null };
   if (state.status !== 'ended' && state.status !== 'resting') return state;
   if (state.saved && startsFromSurface(state)) {
     const { source } = state.cage;
@@ -110,7 +114,7 @@ function go(state, then) {
 function again(state) {
   const { minimizer, cage } = state;
   if (!minimizer || !cage || !settingsAreFree(state) || state.opening) return state;
-  const asked = { ...state, settings: { ...minimizer.settings, constraints: state.settings.constraints } };
+  const asked = { ...state, settings: { ...minimizer.settings, ...keptOf(state.settings) } };
   return beginOpening(asked, { source: cage.source, purpose: 'start', then: 'run', start: null });
 }
 
@@ -146,10 +150,14 @@ export function reduce(state, action) {
     case 'groupHeld':
     case 'holdEdited':
     case 'vertexPinned':
-    case 'pinRemoved': {
+    case 'pinRemoved':
+    case 'conditionChosen':
+    case 'fillPressed':
+    case 'closenessChanged': {
       const held = afterHold(state, action);
-      // A run goes on with what it holds; a stroke is shown by the core when it has ended.
-      const waits = state.status !== 'resting' || state.opening?.purpose === 'cage' || action.type === 'facesPainted';
+      // A run goes on with what it holds; a stroke is shown by the core when it has ended, and a fill at once.
+      const over = state.status === 'resting' || (action.type === 'fillPressed' && state.status === 'ended');
+      const waits = !over || state.opening?.purpose === 'cage' || action.type === 'facesPainted';
       const shown = state.opening?.settings ?? state.runSettings;
       return waits || holdsTheSame(held.settings, shown) ? held : openPreview(held);
     }

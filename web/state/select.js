@@ -5,10 +5,10 @@
 import { cageWords } from '../words/cages.js';
 import { energyWarnings, roundingWords } from '../words/energies.js';
 import { functionalWords, stopWords } from '../words/functionals.js';
-import { freeWords } from '../words/holding.js';
+import { foundWords, freeWords } from '../words/holding.js';
 import { counted, integer } from '../words/numbers.js';
 import { showsEntry } from './entry.js';
-import { problemOfHold } from './hold.js';
+import { holdIsUsable } from './hold.js';
 import { canBeCertified, settingsAreFree } from './reduce.js';
 import { activeWeights, problemWith } from './settings.js';
 
@@ -24,8 +24,7 @@ import { activeWeights, problemWith } from './settings.js';
  */
 export function runButtons(state) {
   const { status, opening, asked } = state;
-  const usable =
-    state.cage !== null && !problemWith(state.settings) && !problemOfHold(state) && status !== 'unavailable';
+  const usable = state.cage !== null && !problemWith(state.settings) && holdIsUsable(state) && status !== 'unavailable';
   const startable = usable && (!opening || opening.then === 'hold') && opening?.purpose !== 'cage';
   const active = (status === 'running' || status === 'paused') && !opening;
   /** @type {Button} */
@@ -78,7 +77,7 @@ export function statusSentence(state) {
   if (status === 'paused') return `Paused after ${evaluations}.`;
   if (showsEntry(state)) return 'From the catalog.';
   if (status === 'ended' && stop) return `${capitalized(stopWords[stop])} after ${evaluations}.`;
-  return 'Ready.';
+  return holdIsUsable(state) ? 'Ready.' : 'Cannot start: see Hold.';
 }
 
 /**
@@ -111,6 +110,7 @@ export function energyNotes(state) {
   return [
     ...(level === null ? [] : [{ words: `Of level ${level}, which is better than the last one.` }]),
     ...freeWords(latest.energies, terms).map((words) => ({ words })),
+    ...foundWords(state.constrained, state.runSettings.constraints).map((words) => ({ words })),
     ...(rounding ? [{ words: rounding }] : []),
     ...energyWarnings(latest.energies).map((words) => ({ words, warning: true })),
   ];

@@ -19,6 +19,7 @@ export const defaultSettings = {
   tolerance: 1e-6,
   max_iterations: 1000,
   constraints: {},
+  fill: null,
   origin: 'cage',
 };
 
@@ -71,10 +72,11 @@ export function problemWith(settings) {
  */
 export function problemOf(source, settings, start) {
   if (source.kind === 'problem') return new TextDecoder().decode(source.text);
-  const { cap, symmetry, levels, tolerance, max_iterations, constraints } = settings;
+  const { cap, symmetry, levels, tolerance, max_iterations, constraints, fill } = settings;
   return {
     cage: cageOf(source),
     terms: activeWeights(settings),
+    ...(fill && { fill }),
     ...(Object.keys(constraints).length > 0 && { constraints }),
     options: { cap, symmetry, levels, tolerance, max_iterations },
     ...(start && { start }),
@@ -107,10 +109,10 @@ export function sourceOf(cage, name) {
 /**
  * The page's settings for a problem.
  * @param {Settings} settings
- * @param {Pick<Problem, 'terms' | 'constraints' | 'options'>} problem
+ * @param {Pick<Problem, 'terms' | 'fill' | 'constraints' | 'options'>} problem
  * @returns {Settings}
  */
-export function settingsFrom(settings, { terms, constraints = {}, options }) {
+export function settingsFrom(settings, { terms, fill, constraints = {}, options }) {
   const names = /** @type {FunctionalName[]} */ (Object.keys(terms));
   const none = Object.fromEntries(Object.keys(settings.weights).map((name) => [name, 0]));
   const weights = /** @type {Settings['weights']} */ ({ ...none, ...terms });
@@ -118,6 +120,7 @@ export function settingsFrom(settings, { terms, constraints = {}, options }) {
   const asked = {
     ...settings,
     constraints,
+    fill: fill ?? null,
     ...(single ? { functional: names[0] } : { functional: /** @type {const} */ ('blend'), weights }),
   };
   for (const name of /** @type {const} */ (['cap', 'symmetry', 'levels', 'tolerance', 'max_iterations'])) {

@@ -3,7 +3,8 @@
  * @file The types of the studio's state and actions; no code.
  */
 
-/** @import {CageReport, CapName, CertificateReport, Constraints, Energies, FaceGroup, FunctionalName} from '../../wasm/types.js' */
+/** @import {BoundaryCondition, CageReport, CapName, CertificateReport, Constraints, ConstraintsReport, Energies} from '../../wasm/types.js' */
+/** @import {FaceGroup, Fill, FunctionalName} from '../../wasm/types.js' */
 /** @import {GeneratedCage, Group, LevelReport, Limit, Mesh, Progress, Report, StopReason, SurfaceState} from '../../wasm/types.js' */
 /** @import {Camera} from '../address/camera.js' */
 /** @import {EntryName} from '../address/compare.js' */
@@ -23,6 +24,7 @@
  * @property {number} tolerance
  * @property {number} max_iterations per level
  * @property {Constraints} constraints what is held, of the cage that is open; without lists that are empty
+ * @property {Fill | null} fill the boundaries of this cage that are closed with faces
  * @property {'cage' | 'surface'} origin where the next run starts, once there is a surface
  */
 
@@ -38,6 +40,19 @@
 /**
  * The cage that is open. `groups` are those of its file.
  * @typedef {{source: Generated | FileText, name: string, counts: CageReport, groups: FaceGroup[]}} OpenCage
+ */
+
+/**
+ * Faces that are held or free. `fileFaces` has for each face the one of the file's cage, from 0, or -1 (see taken.js);
+ * without, they are the same. `free` are the groups that alone are free unless the constraints say what is held.
+ * @typedef {Pick<OpenCage, 'counts' | 'groups'> & {fileFaces?: Int32Array, free?: string[]}} CageFaces
+ *
+ * The cage as the run on the screen takes it, with boundaries filled. `fills` has the group of the new faces of
+ * each.
+ * @typedef {Required<CageFaces> & {fills: Array<{boundary: number, group: string}>}} TakenCage
+ *
+ * What the core refused, and the place on the page where that is said; `boundary` is its number, or null.
+ * @typedef {{place: 'boundary' | 'fill' | 'closeness', boundary: number | null, message: string}} Refusal
  */
 
 /** What the pointer does on the surface: turns it, holds faces, frees them, or pins vertices. @typedef {'turn' | 'hold' | 'free' | 'pin'} Pointer */
@@ -63,7 +78,11 @@
 
 /** Energies of a surface of this level. @typedef {{energies: Energies, evaluations: number, level: number}} Measurement */
 
-/** The surface on the screen. @typedef {{limit: Mesh, control: Mesh, evaluations: number}} Surface */
+/**
+ * The surface on the screen. `deviations` has the distance of each vertex of the limit mesh from the cage's own surface; null
+ * unless it is shown.
+ * @typedef {{limit: Mesh, control: Mesh, deviations: Float32Array | null, evaluations: number}} Surface
+ */
 
 /** A copy of the surface, in case the worker is lost. @typedef {{state: SurfaceState, evaluations: number}} SavedSurface */
 
@@ -72,7 +91,7 @@
  * @typedef {{progress: number, abandoning: boolean}} Certifying
  */
 
-/** The result of a run. @typedef {Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate'>} Outcome */
+/** The result of a run. @typedef {Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>} Outcome */
 
 /**
  * A minimizer of the catalog: its entry, the settings of its run, and the run number under which it was opened.
@@ -95,6 +114,7 @@
  * @property {Generator} generator the chosen shape
  * @property {Settings} settings
  * @property {OpenCage | null} cage
+ * @property {TakenCage | null} taken the cage as the run on the screen takes it; null if that is the file's
  * @property {EntryName | null} wanted a catalog entry that is being loaded
  * @property {OpenEntry | null} minimizer the last catalog entry that was opened on this cage
  * @property {Opening | null} opening
@@ -118,19 +138,28 @@
  * @property {boolean} exporting
  * @property {Certifying | null} certifying
  * @property {CertificateReport | null} certificate the certificate of the surface on the screen
+ * @property {ConstraintsReport | null} constrained what the constraints do to the surface on the screen, once it has moved
+ * @property {Refusal | null} refused
+ * @property {string} said a sentence about the last change of what is held, if it changed nothing
  * @property {Alert | null} alert
- * @property {{shading: Shading, cage: boolean, camera: Camera, theme: 'light' | 'dark' | 'system', pointer: Pointer}} view
+ * @property {{shading: Shading, cage: boolean, camera: Camera, theme: 'light' | 'dark' | 'system', pointer: Pointer, boundary: number | null}} view `boundary`
+ *   is the number of the one that is marked on the surface
  */
 
+/** How near the surface stays to the cage's own. @typedef {NonNullable<Constraints['closeness']>} Closeness */
+
 /**
- * Changes of what is held. Faces are numbered from 0, as in meshes, vertices from 1. A stroke of the brush is many
+ * Changes of what is held. `boundary` is a number from 1, or null for all. Faces are numbered from 0, as in meshes, vertices from 1. A stroke of the brush is many
  * `facesPainted` and an end.
  * @typedef {{type: 'facesPainted', faces: number[], held: boolean}
  *   | {type: 'paintingEnded'}
  *   | {type: 'groupHeld', name: string, held: boolean}
  *   | {type: 'holdEdited', how: 'all' | 'invert' | 'grow' | 'clear'}
  *   | {type: 'vertexPinned', vertex: number}
- *   | {type: 'pinRemoved', index: number}} HoldAction
+ *   | {type: 'pinRemoved', index: number}
+ *   | {type: 'conditionChosen', boundary: number | null, condition: BoundaryCondition}
+ *   | {type: 'fillPressed', boundary: number | null, filled: boolean}
+ *   | {type: 'closenessChanged', closeness: Closeness | null}} HoldAction
  */
 
 /**

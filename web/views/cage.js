@@ -8,6 +8,7 @@ import { integer } from '../words/numbers.js';
 import { repairWords } from '../words/results.js';
 import { createLines, element, find, setText, whenChanged } from './dom.js';
 
+/** @import {CageReport} from '../../wasm/types.js' */
 /** @import {Action, OpenCage, State} from '../state/types.js' */
 
 /** The menu's entry for a cage from a file. */
@@ -19,8 +20,8 @@ function entryText(name) {
   return genus === null ? title : `${title} · genus ${genus}`;
 }
 
-/** @param {OpenCage} cage @returns {Array<[string, string]>} */
-function facts({ source, name, counts }) {
+/** @param {OpenCage} cage @param {CageReport} counts of what is open or was filled @returns {Array<[string, string]>} */
+function facts({ source, name }, counts) {
   return [
     .../** @type {Array<[string, string]>} */ (source.kind === 'text' ? [['File', name]] : []),
     ['Vertices', integer(counts.vertices)],
@@ -84,23 +85,28 @@ export function createCageView(root, dispatch, takeFiles) {
   const showCage = whenChanged(
     (
       /** @type {OpenCage | null} */ cage,
+      /** @type {State['taken']} */ taken,
       /** @type {string[]} */ names,
       /** @type {State['generator']} */ generator,
     ) => {
       const fromFile = cage?.source.kind === 'text';
       shape.querySelector(`[value=${FILE}]`)?.remove();
       if (cage && fromFile) shape.prepend(element('option', { value: FILE }, cage.name));
-      shape.value = fromFile ? FILE : generator.name;
+      // A problem's file may name a cage that the menu does not offer, such as an open one.
+      const { name } = generator;
+      const known = fromFile || [...shape.options].some(({ value }) => value === name);
+      if (!known) shape.append(element('option', { value: name }, entryText(name)));
+      shape.value = fromFile ? FILE : name;
       frameOptions.hidden = fromFile || !cageWords(generator.name).frame;
       for (const radio of families) radio.checked = radio.value === generator.family;
       thickness.value = String(generator.thickness);
       showThickness();
       list.replaceChildren(
-        ...(cage ? facts(cage) : []).map(([term, value]) =>
+        ...(cage ? facts(cage, (taken ?? cage).counts) : []).map(([term, value]) =>
           element('div', term === 'File' ? { class: 'name' } : {}, element('dt', {}, term), element('dd', {}, value)),
         ),
       );
-      showRepairs((cage ? repairWords(cage.counts) : []).map((words) => ({ words })));
+      showRepairs((cage ? repairWords((taken ?? cage).counts) : []).map((words) => ({ words })));
     },
   );
 
@@ -108,7 +114,7 @@ export function createCageView(root, dispatch, takeFiles) {
     /** @param {State} state */
     update(state) {
       showNames(state.cageNames);
-      showCage(state.cage, state.cageNames, state.generator);
+      showCage(state.cage, state.taken, state.cageNames, state.generator);
     },
     dispose: () => listening.abort(),
   };

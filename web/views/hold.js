@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The panel for what is held: the groups of the file, what the pointer does on the surface, changes of all faces
- * at once, and the pins.
+ * @file The panel for faces that are held: the groups of the file, what the pointer does on the surface, and changes of all
+ * faces at once.
  */
 import { heldFaces, heldPart, holdsTheSame, problemOfHold } from '../state/hold.js';
-import { changeWords, heldWords, pinWords, pointerWords } from '../words/holding.js';
+import { cageOnScreen } from '../state/taken.js';
+import { changeWords, heldWords, pointerWords } from '../words/holding.js';
 import { counted } from '../words/numbers.js';
 import { element, find, setText, whenChanged } from './dom.js';
 
-/** @import {Constraints, Pin} from '../../wasm/types.js' */
-/** @import {Action, HoldAction, OpenCage, Pointer, State} from '../state/types.js' */
+/** @import {Constraints} from '../../wasm/types.js' */
+/** @import {Action, CageFaces, HoldAction, Pointer, State} from '../state/types.js' */
 
 /** @type {Array<{how: Extract<HoldAction, {type: 'holdEdited'}>['how'], name: string, title: string}>} */
 const edits = [
@@ -34,9 +35,6 @@ export function createHoldView(root, dispatch) {
   const count = find(root, '#held-count');
   const change = find(root, '#hold-change');
   const problem = find(root, '#hold-problem');
-  const pinning = /** @type {HTMLFormElement} */ (find(root, '#pin-vertex'));
-  const number = /** @type {HTMLInputElement} */ (find(pinning, 'input'));
-  const pinList = find(root, '#pins');
 
   const radios = Object.entries(pointerWords).map(([pointer, { name, words: title }]) => {
     const input = element('input', { type: 'radio', name: 'pointer', value: pointer });
@@ -53,19 +51,9 @@ export function createHoldView(root, dispatch) {
     button.addEventListener('click', () => dispatch({ type: 'holdEdited', how }), { signal });
     changes.append(button);
   }
-  pinning.addEventListener(
-    'submit',
-    (event) => {
-      event.preventDefault();
-      dispatch({ type: 'vertexPinned', vertex: number.valueAsNumber });
-      number.value = '';
-    },
-    { signal },
-  );
-
-  /** @type {Array<{group: OpenCage['groups'][number], input: HTMLInputElement}>} */
+  /** @type {Array<{group: CageFaces['groups'][number], input: HTMLInputElement}>} */
   let boxes = [];
-  const showGroups = whenChanged((/** @type {OpenCage | null} */ cage) => {
+  const showGroups = whenChanged((/** @type {CageFaces | null} */ cage) => {
     groups.hidden = !cage?.groups.length;
     boxes = (cage?.groups ?? []).map((group) => {
       const input = element('input', { type: 'checkbox' });
@@ -84,30 +72,10 @@ export function createHoldView(root, dispatch) {
         ),
       ),
     );
-    number.max = String(cage?.counts.vertices ?? 1);
-  });
-
-  const showPins = whenChanged((/** @type {Pin[] | undefined} */ pins = []) => {
-    const focused = pinList.contains(document.activeElement);
-    pinList.hidden = !pins.length;
-    pinList.replaceChildren(
-      ...pins.map((pin, index) => {
-        const name = pinWords(pin);
-        const remove = element(
-          'button',
-          { type: 'button', class: 'quiet', 'aria-label': `Remove the pin: ${name}` },
-          '✕',
-        );
-        remove.addEventListener('click', () => dispatch({ type: 'pinRemoved', index }), { signal });
-        return element('li', {}, element('span', { class: 'dot' }), element('span', {}, name), remove);
-      }),
-    );
-    // The button that was pressed is gone.
-    if (focused) (pinList.querySelector('button') ?? radios.find(({ checked }) => checked))?.focus();
   });
 
   const show = whenChanged(
-    (/** @type {Constraints} */ constraints, /** @type {OpenCage | null} */ cage, /** @type {Pointer} */ pointer) => {
+    (/** @type {Constraints} */ constraints, /** @type {CageFaces | null} */ cage, /** @type {Pointer} */ pointer) => {
       showGroups(cage);
       const held = heldFaces(constraints, cage);
       const total = held.reduce((sum, one) => sum + one, 0);
@@ -120,17 +88,15 @@ export function createHoldView(root, dispatch) {
       setText(words, pointerWords[pointer].words);
       words.hidden = pointer === 'turn';
       changes.hidden = pointer !== 'hold' && pointer !== 'free';
-      pinning.hidden = pointer !== 'pin';
       setText(count, cage ? heldWords(total, held.length) : '');
-      showPins(constraints.pins);
     },
   );
 
   return {
     /** @param {State} state */
     update(state) {
-      const { settings, runSettings, cage, status, view } = state;
-      show(settings.constraints, cage, view.pointer);
+      const { settings, runSettings, status, view } = state;
+      show(settings.constraints, cageOnScreen(state), view.pointer);
       setText(change, changeWords(!holdsTheSame(settings, runSettings), status));
       setText(problem, problemOfHold(state) ?? '');
     },
@@ -140,12 +106,12 @@ export function createHoldView(root, dispatch) {
 
 /** The word for held parts beside the colours. @param {HTMLElement} root */
 export function createHeldKeyView(root) {
-  const show = whenChanged((/** @type {Constraints} */ constraints, /** @type {OpenCage | null} */ cage) => {
+  const show = whenChanged((/** @type {Constraints} */ constraints, /** @type {CageFaces | null} */ cage) => {
     root.hidden = !heldFaces(constraints, cage).some(Boolean);
   });
   return {
     /** @param {State} state */
-    update: ({ settings, cage }) => show(settings.constraints, cage),
+    update: (state) => show(state.settings.constraints, cageOnScreen(state)),
     dispose() {},
   };
 }

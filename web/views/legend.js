@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The legend: the menu of curvatures that can colour the surfaces, the colours and their numbers. Also chooses
+ * @file The legend: the menu of quantities that can colour the surfaces, the colours and their numbers. Also chooses
  * the range of the colours, common to all surfaces.
  */
 import { mapGradient } from '../colour/maps.js';
 import { quantities, quantityOf, sampleValues } from '../colour/quantities.js';
-import { calmRange, robustRange, sameRange } from '../colour/range.js';
+import { calmRange, fullRange, robustRange, sameRange } from '../colour/range.js';
 import { compact } from '../words/numbers.js';
 import { element, find, setText, whenChanged } from './dom.js';
 
@@ -17,6 +17,7 @@ import { element, find, setText, whenChanged } from './dom.js';
  * @typedef {object} Shaded
  * @property {Shading} shading
  * @property {Float32Array[]} curvatures κ1, κ2 per vertex of every surface that the legend applies to
+ * @property {Float32Array | null} [deviations] per vertex, where the deviation is shown
  * @property {string} occasion as long as it stays the same, the range changes rarely
  */
 
@@ -24,8 +25,9 @@ import { element, find, setText, whenChanged } from './dom.js';
  * @param {HTMLElement} root
  * @param {(shading: Shading) => void} choose
  * @param {(quantity: Quantity) => string} [unit] the unit of the numbers, in words
+ * @param {Quantity[]} [offered]
  */
-export function createLegendView(root, choose, unit = (quantity) => `in ${quantity.unit}`) {
+export function createLegendView(root, choose, unit = (quantity) => `in ${quantity.unit}`, offered = quantities) {
   const listening = new AbortController();
   const select = /** @type {HTMLSelectElement} */ (find(root, '[name=shading]'));
   const figure = find(root, 'figure');
@@ -33,7 +35,7 @@ export function createLegendView(root, choose, unit = (quantity) => `in ${quanti
   const ticks = find(root, '.ticks');
   const caption = find(root, 'figcaption');
   select.append(
-    ...quantities.map(({ shading, name }) => element('option', { value: shading }, name)),
+    ...offered.map(({ shading, name }) => element('option', { value: shading }, name)),
     element('option', { value: 'plain' }, 'Plain'),
   );
   select.addEventListener('change', () => choose(/** @type {Shading} */ (select.value)), { signal: listening.signal });
@@ -58,13 +60,17 @@ export function createLegendView(root, choose, unit = (quantity) => `in ${quanti
     (
       /** @type {Quantity | null} */ quantity,
       /** @type {string} */ occasion,
+      /** @type {Float32Array | null} */ deviations,
       /** @type {Float32Array[]} */ ...curvatures
     ) => {
-      if (!quantity || !curvatures.length) {
+      if (!quantity || !curvatures.length || (!quantity.value && !deviations)) {
         range = null;
         return;
       }
-      const next = robustRange(joined(curvatures.map((one) => sampleValues(quantity, one))), quantity.signed);
+      const next =
+        quantity.value || !deviations
+          ? robustRange(joined(curvatures.map((one) => sampleValues(quantity, one))), quantity.signed)
+          : fullRange(deviations);
       const wanted = occasion === lastOccasion ? calmRange(range, next) : next;
       // Keeps the same object while the range is the same, since a new one would cause a redraw.
       if (!range || !sameRange(range, wanted)) range = wanted;
@@ -74,9 +80,9 @@ export function createLegendView(root, choose, unit = (quantity) => `in ${quanti
 
   return {
     /** @param {Shaded} shaded @returns {Range | null} the range of the colours */
-    update({ shading, curvatures, occasion }) {
+    update({ shading, curvatures, deviations = null, occasion }) {
       const quantity = quantityOf(shading);
-      measure(quantity, `${shading} ${occasion}`, ...curvatures);
+      measure(quantity, `${shading} ${occasion}`, deviations, ...curvatures);
       select.value = shading;
       show(quantity, range);
       return range;

@@ -6,6 +6,8 @@ import { quantityOf } from '../colour/quantities.js';
 import { drawing } from '../scene/drawing.js';
 import { createScene } from '../scene/scene.js';
 import { heldFaces } from '../state/hold.js';
+import { cageOnScreen } from '../state/taken.js';
+import { createBoundaryEdges } from './boundary_edges.js';
 import { listenToBrush } from './brush.js';
 import { find, whenChanged } from './dom.js';
 import { listenToKeys } from './keys.js';
@@ -14,7 +16,7 @@ import { listenToKeys } from './keys.js';
 /** @import {Quantity} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
 /** @import {Constraints} from '../../wasm/types.js' */
-/** @import {Action, OpenCage, Pointer, State, Surface} from '../state/types.js' */
+/** @import {Action, CageFaces, OpenCage, Pointer, State, Surface, TakenCage} from '../state/types.js' */
 
 /**
  * @param {HTMLElement} root
@@ -57,12 +59,23 @@ export function createSurfaceView(root, dispatch) {
   listenToBrush(canvas, brush, dispatch, signal);
 
   const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
-  const setHeld = whenChanged((/** @type {Constraints} */ constraints, /** @type {OpenCage | null} */ cage) => {
+  const setHeld = whenChanged((/** @type {Constraints} */ constraints, /** @type {CageFaces | null} */ cage) => {
     const held = heldFaces(constraints, cage);
     scene?.setHeld(held.some(Boolean) ? held : null);
     scene?.setPins((constraints.pins ?? []).flatMap(({ vertex }) => (vertex ? [vertex - 1] : [])));
   });
-  const setSurface = whenChanged((/** @type {Surface} */ surface) => scene?.setSurface(surface.limit));
+  const setSurface = whenChanged((/** @type {Surface} */ surface) =>
+    scene?.setSurface(surface.limit, surface.deviations),
+  );
+  const boundaryEdges = createBoundaryEdges();
+  const setMarked = whenChanged(
+    (
+      /** @type {number | null} */ boundary,
+      /** @type {OpenCage | null} */ cage,
+      /** @type {TakenCage | null} */ taken,
+      /** @type {Surface} */ surface,
+    ) => scene?.setMarked(boundaryEdges(boundary, cage, taken, surface.limit)),
+  );
   const awaitPicture = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ coarse) => {
     awaited = coarse;
     if (!scene) queueMicrotask(drawn);
@@ -100,8 +113,9 @@ export function createSurfaceView(root, dispatch) {
       ({ pointer } = state.view);
       vertices = state.cage?.counts.vertices ?? 0;
       canvas.dataset.pointer = pointer;
-      setHeld(state.settings.constraints, state.cage);
+      setHeld(state.settings.constraints, cageOnScreen(state));
       setSurface(state.surface);
+      setMarked(state.view.boundary, state.cage, state.taken, state.surface);
       awaitPicture(state.surface, state.coarse);
       setCage(state.surface, state.view.cage);
       shade(quantityOf(state.view.shading), range);

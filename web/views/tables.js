@@ -6,11 +6,12 @@
 import { energyNotes, objectiveName, objectiveValue } from '../state/select.js';
 import { embeddedWords } from '../words/energies.js';
 import { functionalWords, functionals, stopWords } from '../words/functionals.js';
+import { freeName, lengthUnit } from '../words/holding.js';
 import { counted, duration, integer, significant, withError } from '../words/numbers.js';
 import { metricWords, thickenedWords } from '../words/results.js';
 import { createLines, element, whenChanged } from './dom.js';
 
-/** @import {Energies, LevelReport} from '../../wasm/types.js' */
+/** @import {ConstraintsReport, Energies, LevelReport} from '../../wasm/types.js' */
 /** @import {Measurement, Settings, State} from '../state/types.js' */
 
 /** Largest number of digits of energies in the table of levels. */
@@ -55,9 +56,11 @@ function energyRow(name, formula, now, start, objective, note = []) {
  * @param {Settings} settings settings of the run to which the energies belong
  * @param {Energies} now
  * @param {Energies | null} start null if the surface is still that of the start
+ * @param {number | undefined} deviation the largest, where something is held
+ * @param {string} unit of lengths
  * @returns {HTMLTableRowElement[]}
  */
-function energyRows(settings, now, start) {
+function energyRows(settings, now, start, deviation, unit) {
   const blend = settings.functional === 'blend';
   const rows = functionals.map(({ id, name, formula }) => {
     const objective = settings.functional === id && !now.free;
@@ -76,7 +79,7 @@ function energyRows(settings, now, start) {
         cell(value ?? NaN, now.quadrature_error),
         first === null ? [] : cell(first, null),
         true,
-        now.free ? [element('small', {}, 'over the free faces')] : [],
+        now.free ? [element('small', {}, freeName(now))] : [],
       ),
     );
   }
@@ -89,6 +92,11 @@ function energyRows(settings, now, start) {
     energyRow('Area A', '∫ dA, in length²', cell(now.area, null), start ? cell(start.area, null) : [], false),
     energyRow('∫ K dA / 4π', '1 − genus, for one component', gaussian(now), gaussian(start), false),
   );
+  if (deviation !== undefined) {
+    const title = 'From the cage’s own surface, between points of the same parameters';
+    const note = [element('small', {}, `|X − X₀|, ${unit}`)];
+    rows.push(energyRow('Largest deviation', title, cell(deviation, null), [], false, note));
+  }
   return rows;
 }
 
@@ -107,13 +115,16 @@ export function createEnergiesView(root) {
       /** @type {Measurement | null} */ latest,
       /** @type {Measurement | null} */ first,
       /** @type {Settings} */ settings,
+      /** @type {ConstraintsReport | null} */ constrained,
+      /** @type {string} */ unit,
     ) => {
       table.hidden = !latest;
       if (!latest) return;
       const moved = first !== null && first !== latest;
       head.hidden = !moved;
       table.classList.toggle('moved', moved);
-      body.replaceChildren(...energyRows(settings, latest.energies, moved ? first.energies : null));
+      const start = moved ? first.energies : null;
+      body.replaceChildren(...energyRows(settings, latest.energies, start, constrained?.deviation, unit));
     },
   );
   const showNotes = createLines(notes);
@@ -121,7 +132,13 @@ export function createEnergiesView(root) {
   return {
     /** @param {State} state */
     update(state) {
-      show(state.latest, state.first, state.runSettings);
+      show(
+        state.latest,
+        state.first,
+        state.runSettings,
+        state.constrained,
+        lengthUnit(state.cage?.source.kind === 'text'),
+      );
       showNotes(energyNotes(state));
     },
     dispose: () => root.replaceChildren(),

@@ -5,15 +5,15 @@
  * with a new number, and the worker keeps the old run until the new one has opened.
  */
 
-/** @import {CageReport, CertificateReport, Energies, FaceGroup, Group, LevelReport, Limit} from '../../wasm/types.js' */
-/** @import {Mesh, Problem, Progress, Report, StopReason} from '../../wasm/types.js' */
+/** @import {CageReport, CertificateReport, ConstraintsReport, Energies, FaceGroup, Group, LevelReport} from '../../wasm/types.js' */
+/** @import {Limit, Mesh, Problem, Progress, Report, StopReason} from '../../wasm/types.js' */
 
 /**
  * Begins the run of a problem (also given as the text of a problem or report file) and shows its surface. Answers
  * `opened`, `surfaced`, `saved`, `measured`, or `failed`. With `look`, for a minimizer that is only viewed and has many
  * faces: answers only `opened` and a coarse `surfaced`, so that it is on the screen soon. With `then`: works as if
- * `optimize` or `step` followed, and does not show the surface at rest first.
- * @typedef {{type: 'open', run: number, problem: Problem | string, look?: boolean, then?: 'run' | 'step'}} Open
+ * `optimize` or `step` followed, and does not show the surface at rest first. `deviation`: as `deviate` for this run.
+ * @typedef {{type: 'open', run: number, problem: Problem | string, look?: boolean, then?: 'run' | 'step', deviation?: boolean}} Open
  *
  * The coarse surface has been drawn. Answers what `open` with `look` left out.
  * @typedef {{type: 'detail', run: number}} Detail
@@ -40,27 +40,45 @@
  * Answers `certificateAbandoned`, unless the certificate is ready.
  * @typedef {{type: 'abandonCertificate', run: number}} AbandonCertificate
  *
+ * From now on, of whatever run, `surfaced` has the distances from the cage's own surface, or not. Answers `surfaced` if
+ * it has and the surface is at rest.
+ * @typedef {{type: 'deviate', on: boolean}} Deviate
+ *
  * Asks for the answer `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Detail | Expect | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Ping} Command
+ * @typedef {Open | Detail | Expect | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Deviate | Ping} Command
  */
 
 /** @typedef {'control' | 'limit' | 'report' | 'problem'} Exportable */
+
+/**
+ * Which vertices the triangles and edges of a mesh have, and the faces of the cage that they descend from. A mesh comes
+ * without if they are those of the last one that had them.
+ * @typedef {Pick<Mesh, 'triangles' | 'faces' | 'edges'>} Topology
+ * @typedef {Omit<Mesh, keyof Topology> & Partial<Topology>} MeshUpdate
+ */
 
 /**
  * The worker has loaded the core.
  * @typedef {{type: 'started', version: string, cages: string[]}} Started
  *
  * `level` is that of the surface that the run starts from, and `group` the symmetry that it keeps; `groups` are those of the cage's faces. For a file, `asked` is its problem, complete except for its start, and
- * `report` its results.
+ * `report` its results. Where the problem fills boundaries, `cage` and `groups` are those of the filled cage, and `unfilled` is
+ * the one before, with the number of corners of each of its faces.
+ * @typedef {{counts: CageReport, corners: Uint32Array}} Unfilled
  * @typedef {{type: 'opened', run: number, level: number, cage: CageReport, group: Group, groups: FaceGroup[], asked?: Problem, report?:
- *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate'>}} Opened
+ *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>, unfilled?: Unfilled}} Opened
  *
- * The current surface. `evaluations` counts all levels so far. `coarse`: `detail` will bring a finer one.
- * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: Mesh, control: Mesh, coarse?: boolean}} Surfaced
+ * The current surface. `evaluations` counts all levels so far. `coarse`: `detail` will bring a finer one. `deviations`: the
+ * distance of each vertex of the limit mesh from the cage's own surface; see deviation.js.
+ * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: MeshUpdate, control: MeshUpdate, deviations?: Float32Array,
+ *   coarse?: boolean}} Surfaced
  *
  * Energies of the surface by the reporting rule. Its level is not always the last one.
  * @typedef {{type: 'measured', run: number, evaluations: number, level: number, energies: Energies}} Measured
+ *
+ * What the constraints do to a surface at rest that has been minimized.
+ * @typedef {{type: 'constrained', run: number, evaluations: number, report: ConstraintsReport}} Constrained
  *
  * Samples since the last message, SAMPLE_SIZE numbers each: evaluations over all levels, energy, gradient norm,
  * level.
@@ -84,12 +102,24 @@
  *
  * `input`: something is wrong with the user's file or options. `internal`: the worker can no longer be used.
  * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
- * @typedef {Started | Opened | Surfaced | Measured | Stepped | LevelEnded | Paused | Ended | Saved | Exported |
+ * @typedef {Started | Opened | Surfaced | Measured | Constrained | Stepped | LevelEnded | Paused | Ended | Saved | Exported |
  *   CertificateAdvanced | Certified | CertificateAbandoned | Ponged | Failed} Message
  */
 
 /** How many numbers a sample in `stepped` has. */
 export const SAMPLE_SIZE = 4;
+
+/**
+ * The mesh that an update stands for.
+ * @param {MeshUpdate} update
+ * @param {Mesh | undefined} last the mesh before it
+ * @returns {Mesh}
+ */
+export function withTopology({ triangles, faces, edges, ...moved }, last) {
+  if (triangles && faces && edges) return { ...moved, triangles, faces, edges };
+  if (!last) throw new Error('the first mesh of a run has no triangles');
+  return { ...moved, triangles: last.triangles, faces: last.faces, edges: last.edges };
+}
 
 /**
  * The buffers of a message that are transferred instead of copied.
@@ -101,6 +131,7 @@ export function transferables(message) {
   let views = [];
   if (message.type === 'surfaced') {
     views = [message.limit, message.control].flatMap((mesh) => Object.values(mesh));
+    if (message.deviations) views.push(message.deviations);
   } else if (message.type === 'stepped') {
     views = [message.samples];
   } else if (message.type === 'saved') {

@@ -8,15 +8,16 @@ import { createCertification } from './certification.js';
 import { MOVING_QUADS, RESTING_QUADS, SAVED_QUADS, densityFor } from './density.js';
 import { createExpectation } from './expectation.js';
 import { Occasion } from './occasion.js';
+import { openedMessage } from './opened.js';
+import { createSurfacing } from './surfacing.js';
 
-/** @import {Minimizer} from '../../wasm/umbilic.js' */
-/** @import {Mesh, Problem} from '../../wasm/types.js' */
+/** @import {Cage, Minimizer, parseReport} from '../../wasm/umbilic.js' */
+/** @import {Mesh} from '../../wasm/types.js' */
 /** @import {Command, Exportable, Message, Open} from './protocol.js' */
-/** @import {parseReport} from '../../wasm/umbilic.js' */
 
 /**
  * @typedef {object} Surroundings
- * @property {{Minimizer: typeof Minimizer, InputError: new (message: string) => Error, parseReport: typeof parseReport}} core
+ * @property {{Cage: typeof Cage, Minimizer: typeof Minimizer, InputError: new (message: string) => Error, parseReport: typeof parseReport}} core
  * @property {(message: Message) => void} post
  * @property {(task: () => void) => void} yieldThen runs the task after the messages that have arrived by then
  * @property {() => number} now milliseconds
@@ -62,6 +63,9 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   let sent = { level: -1, patches: 0, energy: NaN };
   /** Whether a surface has been sent since the run began or continued. */
   let shown = false;
+  const surfacing = createSurfacing(core);
+  /** Whether the run has a report of constraints. */
+  let constrained = false;
   let firstEnergy = NaN;
   let savedEvaluations = -1;
   let measuredEvaluations = -1;
@@ -84,15 +88,6 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     return minimizer;
   }
 
-  /** The parts of `opened` that only a file has: its problem and results. @param {Problem | string} problem @param {Minimizer} opened */
-  function fileParts(problem, opened) {
-    if (typeof problem !== 'string') return {};
-    const { cage, terms, constraints, options } = opened.problem;
-    const { umbilic, levels, limit, energies, certificate } = core.parseReport(problem);
-    const report = umbilic === 'report' && { report: { levels, limit, energies, certificate } };
-    return { asked: { cage, terms, constraints, options }, ...report };
-  }
-
   /** @param {Open} command */
   function open(command) {
     const opened = expectation.take(command.problem);
@@ -106,13 +101,15 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     startable = !coarse;
     levelsSent = 0;
     sent = { level: -1, patches: 0, energy: NaN };
+    surfacing.begin(command.deviation ?? false);
     firstEnergy = NaN;
     savedEvaluations = -1;
     measuredEvaluations = -1;
     samples = [];
     surfaceOccasion.postpone();
-    const { cage, group, groups, progress } = opened;
-    post({ type: 'opened', run, level: progress.level, cage, group, groups, ...fileParts(command.problem, opened) });
+    const message = openedMessage(core, run, command.problem, opened);
+    constrained = message.cage.boundaries.length > 0 || Object.keys(opened.problem.constraints).length > 0;
+    post(message);
     yieldThen(() => guard(command.run, () => introduce(command.run)));
     if (command.then) go(command.then === 'run' ? 'running' : 'stepping');
   }
@@ -147,10 +144,10 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     const coarsest = level === sent.level ? null : current().limitMesh(1);
     sent = { level, patches: coarsest ? facesOf(coarsest) : sent.patches, energy };
     shown = true;
-    const control = current().controlMesh();
     const density = densityFor(sent.patches, quads);
     const limit = coarsest && density === 1 ? coarsest : current().limitMesh(density);
-    post({ type: 'surfaced', run, evaluations: total_evaluations, limit, control, ...(first && { coarse: true }) });
+    const surface = surfacing.of(current(), limit, density);
+    post({ type: 'surfaced', run, evaluations: total_evaluations, ...surface, ...(first && { coarse: true }) });
   }
 
   function sendSaved() {
@@ -167,6 +164,20 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     post({ type: 'measured', run, evaluations: measuredEvaluations, level, energies });
   }
 
+  /** What the constraints do to a surface that has been minimized; the report has it, and costs several evaluations. */
+  function sendConstraints() {
+    const { total_evaluations: evaluations } = current().progress;
+    if (!constrained || !evaluations) return;
+    const { constraints } = core.parseReport(current().report());
+    if (constraints) post({ type: 'constrained', run, evaluations, report: constraints });
+  }
+
+  /** @param {boolean} on whether the distances from the cage's own surface are sent from now on */
+  function deviate(on) {
+    surfacing.deviate(on);
+    if (on && minimizer && pace === 'resting' && sent.level >= 0) sendSurface(RESTING_QUADS);
+  }
+
   function sendSteps() {
     const packed = Float64Array.from(samples);
     samples = [];
@@ -179,6 +190,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     sendSurface(RESTING_QUADS);
     sendSaved();
     sendEnergies();
+    sendConstraints();
     prepareAhead(run);
   }
 
@@ -309,6 +321,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   function obey(command) {
     if (command.type === 'ping') return post({ type: 'ponged' });
     if (command.type === 'open') return open(command);
+    if (command.type === 'deviate') return deviate(command.on);
     if (command.run > run) return; // the run did not open
     if (command.run < run) {
       if (command.type === 'optimize' || command.type === 'step')

@@ -82,7 +82,9 @@ TEST(DrawableMesh, knows_the_face_of_the_cage_that_each_triangle_descends_from) 
   ASSERT_TRUE(validate(tetrahedron));
   RunOptions options;
   options.weights[kBending] = 1;
-  for (const Cage& cage : {*generate_cage("cube"), tetrahedron}) {
+  Cage open = *generate_cage("cube");
+  open.holes = {1, 4};
+  for (const Cage& cage : {*generate_cage("cube"), tetrahedron, open}) {
     EXPECT_EQ(misplaced(drawable(cage), cage), 0);
     for (const int level : {0, 1, 2, 3}) {
       options.first_level = options.last_level = level;

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the session, on the real core, tells of a surface that keeps something: what pulls, how far it is from the
+ * cage's own, and the cage before it was filled; and of every surface its topology once.
+ */
+import { describe, expect, test } from '@jest/globals';
+import { withTopology } from '../../web/worker/protocol.js';
+import { fish } from '../browser/fish.js';
+import { plate } from '../browser/plate.js';
+import { all, session, types, useSession, work } from './session_harness.js';
+
+/** @typedef {import('../../wasm/types.js').Mesh} Mesh */
+
+useSession();
+
+/** The fish with its body held and a vertex of its head pinned. */
+const problem = {
+  cage: { name: 'fish.obj', text: fish() },
+  terms: { bending: 1 },
+  constraints: { hold: { groups: ['body'] }, pins: [{ vertex: 38 }] },
+  options: { levels: /** @type {[number, number]} */ ([0, 0]) },
+};
+
+/** @param {number} run @param {object} [more] */
+const open = (run, more = {}) => session.obey({ type: 'open', run, problem, ...more });
+
+describe('the topology of a surface', () => {
+  test('is sent with the first of each level and density, and the page has it for all', () => {
+    open(1, { then: 'run' });
+    work();
+    /** @type {Mesh | undefined} */
+    let last;
+    const sent = new Set();
+    for (const { limit, control } of all('surfaced')) {
+      const vertices = limit.positions.length / 3;
+      expect('triangles' in limit).toBe(!last || vertices !== last.positions.length / 3);
+      expect('faces' in limit).toBe('triangles' in limit);
+      if (!sent.has(control.positions.length)) expect(control.edges.length).toBeGreaterThan(0);
+      sent.add(control.positions.length);
+      last = withTopology(limit, last);
+      expect(last.triangles.reduce((most, vertex) => Math.max(most, vertex), 0)).toBe(vertices - 1);
+    }
+    const counts = all('surfaced').map(({ limit }) => limit.positions.length);
+    expect(counts.length).toBeGreaterThan(new Set(counts).size); // some surface came without
+  });
+
+  test('is sent again with another run, and missed where the page has none', () => {
+    open(1);
+    work();
+    open(2);
+    work();
+    const [first, second] = all('surfaced');
+    expect(second.limit.triangles).toEqual(first.limit.triangles);
+    const { triangles, ...update } = first.limit;
+    expect(triangles.length).toBeGreaterThan(0);
+    expect(() => withTopology(update, undefined)).toThrow('no triangles');
+  });
+});
+
+describe('the deviation', () => {
+  test('is sent while it is asked for, 0 before anything moves and where it is held, and within the largest distance', () => {
+    open(1);
+    work();
+    expect(all('surfaced').filter((message) => 'deviations' in message)).toEqual([]);
+    session.obey({ type: 'deviate', on: true });
+    const resting = all('surfaced').at(-1);
+    expect(new Set(resting.deviations)).toEqual(new Set([0]));
+    expect(resting.deviations).toHaveLength(resting.limit.positions.length / 3);
+
+    open(2, { then: 'run', deviation: true });
+    work();
+    const moved = all('surfaced').filter(({ run }) => run === 2);
+    const faces = moved.findLast(({ limit }) => limit.faces)?.limit;
+    const { deviations } = moved.at(-1);
+    const held = new Set([...faces.triangles].filter((_, i) => faces.faces[Math.floor(i / 3)] >= 32));
+    for (const vertex of held) expect(Math.abs(deviations[vertex])).toBeLessThan(1e-6);
+    const largest = deviations.reduce(
+      (/** @type {number} */ most, /** @type {number} */ d) => Math.max(most, Math.abs(d)),
+      0,
+    );
+    const { deviation } = all('constrained').at(-1).report;
+    expect(largest).toBeGreaterThan(0.2 * deviation);
+    expect(largest).toBeLessThanOrEqual(1.001 * deviation);
+
+    session.obey({ type: 'deviate', on: false });
+    open(3);
+    work();
+    expect(all('surfaced').at(-1)).not.toHaveProperty('deviations');
+  });
+});
+
+describe('what the constraints do', () => {
+  test('is told of a surface at rest that has been minimized, and not before', () => {
+    open(1);
+    work();
+    expect(all('constrained')).toEqual([]);
+    session.obey({ type: 'optimize', run: 1 });
+    work();
+    expect(types().slice(types().indexOf('ended'))).toEqual(['ended', 'surfaced', 'saved', 'measured', 'constrained']);
+    const { report, evaluations } = all('constrained')[0];
+    expect(evaluations).toBe(all('measured').at(-1).evaluations);
+    expect(report).toMatchObject({ held_faces: 64, pins: [{ pin: 1 }], regions: [{ faces: 64 }] });
+    expect(report.pins[0].strength).toBeGreaterThan(0);
+  });
+
+  test('is read from a report’s file', () => {
+    open(1, { then: 'run' });
+    work();
+    session.obey({ type: 'export', run: 1, what: 'report' });
+    session.obey({ type: 'open', run: 2, problem: all('exported')[0].text });
+    expect(all('opened')[1].report.constraints).toEqual(all('constrained')[0].report);
+  });
+});
+
+describe('a filled cage', () => {
+  test('is told with the one before, which the file’s numbers are those of', () => {
+    const cage = { name: 'plate.obj', text: plate() };
+    session.obey({ type: 'open', run: 1, problem: { cage, terms: { bending: 1 }, fill: { loops: [2] } } });
+    work();
+    const { cage: filled, groups, unfilled } = all('opened')[0];
+    expect(filled).toMatchObject({ faces: 36, boundaries: [{ vertices: 24 }] });
+    expect(filled.notes[0]).toBe("filled boundary 2 of 8 vertices with 4 faces, the group 'fill-2'");
+    expect(groups.map((/** @type {any} */ { name }) => name)).toEqual(['fill-2-rim', 'fill-2']);
+    expect(unfilled.counts).toMatchObject({ faces: 32, boundaries: [{ vertices: 24 }, { vertices: 8 }] });
+    expect([...unfilled.corners]).toEqual(Array(32).fill(4));
+    session.obey({ type: 'open', run: 2, problem: { cage, terms: { bending: 1 } } });
+    expect(all('opened')[1]).not.toHaveProperty('unfilled');
+  });
+
+  test('that every face touches is refused with the core’s words', () => {
+    const cage = { name: 'plate.obj', text: plate() };
+    session.obey({ type: 'open', run: 1, problem: { cage, terms: { bending: 1 }, fill: {} } });
+    expect(all('failed')[0].message).toMatch(/^plate\.obj: fill: every face of the cage touches a filled boundary/);
+  });
+});

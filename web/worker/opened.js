@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What the worker tells of a run that it has opened: its cage and symmetry, and of a file its problem and results.
+ */
+
+/** @import {Cage, Minimizer, parseReport} from '../../wasm/umbilic.js' */
+/** @import {Problem} from '../../wasm/types.js' */
+/** @import {Opened} from './protocol.js' */
+
+/** @typedef {{Cage: typeof Cage, parseReport: typeof parseReport}} Core */
+
+/**
+ * The parts that only a file has. Its start is left out: the page needs none of its points.
+ * @param {Core} core
+ * @param {Problem | string} problem
+ * @param {Minimizer} opened
+ */
+function fileParts(core, problem, opened) {
+  if (typeof problem !== 'string') return {};
+  const { cage, terms, fill, constraints, options } = opened.problem;
+  const { umbilic, levels, limit, energies, certificate, constraints: held } = core.parseReport(problem);
+  const report = umbilic === 'report' && { report: { levels, limit, energies, certificate, constraints: held } };
+  return { asked: { cage, terms, fill, constraints, options }, ...report };
+}
+
+/**
+ * The cage before its boundaries were filled, if they are.
+ * @param {Core} core
+ * @param {Minimizer} opened
+ */
+function unfilledParts({ Cage }, opened) {
+  const { cage, fill } = opened.problem;
+  if (!fill) return {};
+  const unfilled = new Cage(cage);
+  const { counts } = unfilled;
+  // Each face is a fan of triangles, two less than it has corners.
+  const corners = new Uint32Array(counts.faces + (counts.holes ?? 0)).fill(2);
+  for (const face of unfilled.mesh().faces) corners[face]++;
+  unfilled.dispose();
+  return { unfilled: { counts, corners } };
+}
+
+/**
+ * @param {Core} core
+ * @param {number} run
+ * @param {Problem | string} problem
+ * @param {Minimizer} opened
+ * @returns {Opened}
+ */
+export function openedMessage(core, run, problem, opened) {
+  const { cage, group, groups, progress } = opened;
+  const parts = { ...fileParts(core, problem, opened), ...unfilledParts(core, opened) };
+  return { type: 'opened', run, level: progress.level, cage, group, groups, ...parts };
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What is sent of a surface: its meshes, without what the page knows of them, and its deviation while that is shown.
+ */
+import { createDeviation } from './deviation.js';
+import { createTopologyFilter } from './topology.js';
+
+/** @import {Minimizer} from '../../wasm/umbilic.js' */
+/** @import {Mesh} from '../../wasm/types.js' */
+/** @import {Surfaced} from './protocol.js' */
+
+/** @param {{Minimizer: typeof Minimizer}} core */
+export function createSurfacing(core) {
+  const known = { limit: createTopologyFilter(), control: createTopologyFilter() };
+  const deviation = createDeviation(core);
+  let deviating = false;
+
+  /** @param {boolean} on whether deviations are sent from now on */
+  function deviate(on) {
+    deviating = on;
+    if (!on) deviation.drop();
+  }
+
+  return {
+    deviate,
+
+    /** Begins another run, of which the page knows nothing. @param {boolean} on as of `deviate` */
+    begin(on) {
+      known.limit.forget();
+      known.control.forget();
+      deviation.drop();
+      deviate(on);
+    },
+
+    /**
+     * @param {Minimizer} run
+     * @param {Mesh} limit its limit mesh
+     * @param {number} density of it
+     * @returns {Pick<Surfaced, 'limit' | 'control' | 'deviations'>}
+     */
+    of: (run, limit, density) => ({
+      limit: known.limit.update(limit),
+      control: known.control.update(run.controlMesh()),
+      ...(deviating && { deviations: deviation.of(run, limit, density) }),
+    }),
+  };
+}
