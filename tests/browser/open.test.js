@@ -35,15 +35,15 @@ describe('the page', () => {
     await page.context().close();
   });
 
-  test('shades by every quantity, and plainly; the legend has numbers', async () => {
+  test('shades by every quantity, by stripes, and plainly; the legend has numbers', async () => {
     const { page } = await openPage(served.browser, served.url);
     const pictures = new Set();
-    for (const shading of ['mean', 'gaussian', 'kappa1', 'kappa2', 'magnitude', 'plain']) {
+    for (const shading of ['mean', 'gaussian', 'kappa1', 'kappa2', 'magnitude', 'stripes', 'plain']) {
       await page.locator('[name=shading]').selectOption(shading);
       const { coloured, colours, chroma } = await look(page);
       pictures.add(`${coloured} ${colours} ${chroma}`);
       const ticks = await page.locator('#legend .ticks span').allInnerTexts();
-      if (shading === 'plain') {
+      if (shading === 'stripes' || shading === 'plain') {
         expect(await page.locator('#legend figure').isVisible()).toBe(false);
         expect(chroma).toBeLessThan(60);
         continue;
@@ -54,7 +54,7 @@ describe('the page', () => {
       expect(numbers[0]).toBe(shading === 'magnitude' ? 0 : -numbers[numbers.length - 1]);
       expect(await page.locator('#legend figcaption').innerText()).toMatch(/1\/length/);
     }
-    expect(pictures.size).toBe(6);
+    expect(pictures.size).toBe(7);
     await page.context().close();
   });
 

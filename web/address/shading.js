@@ -9,7 +9,7 @@ import { choice } from './fields.js';
 /** @import {Field} from './fields.js' */
 
 /** @type {Field<Shading>} */
-export const shadingField = choice([...quantities.map(({ shading }) => shading), 'plain'], 'mean');
+export const shadingField = choice([...quantities.map(({ shading }) => shading), 'stripes', 'plain'], 'mean');
 
 /** Of the studio, whose surface has one that it began with. @type {Field<Shading>} */
-export const studioShadingField = choice([...allQuantities.map(({ shading }) => shading), 'plain'], 'mean');
+export const studioShadingField = choice([...allQuantities.map(({ shading }) => shading), 'stripes', 'plain'], 'mean');

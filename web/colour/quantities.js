@@ -6,7 +6,7 @@
 
 /** @import {MapName} from './maps.js' */
 
-/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'deviation' | 'plain'} Shading */
+/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'deviation' | 'stripes' | 'plain'} Shading */
 
 /**
  * @typedef {object} Quantity
@@ -92,7 +92,7 @@ export const deviation = {
 export const allQuantities = [...quantities, deviation];
 
 /**
- * The quantity of a shading; null for plain.
+ * The quantity of a shading; null for stripes and plain.
  * @param {Shading} shading
  * @returns {Quantity | null}
  */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The surface's material: a soft ceramic, coloured per vertex from the principal curvatures or the deviation through a colour map.
- * What is held has another, in grey.
+ * @file The surface's material: a soft ceramic, coloured per vertex from the principal curvatures or the deviation through a colour map,
+ * or striped by what it would mirror. What is held has another, in grey.
  */
 import { Color, DataTexture, DoubleSide, LinearFilter, MeshStandardMaterial, SRGBColorSpace } from 'three';
 import { MAP_SIZE, mapBytes } from '../colour/maps.js';
@@ -55,8 +55,36 @@ if (which >= 0) {
 }
 `;
 
+/** From pole to pole of the mirrored surroundings. */
+const STRIPES = 24;
+
 /**
- * @returns {{material: MeshStandardMaterial, held: MeshStandardMaterial, shade: (quantity: Quantity | null, range: Range | null) => void,
+ * Reflection stripes: what a mirror would show of surroundings with dark and light stripes about the picture's vertical. They are as smooth
+ * as the surface's normals, so a surface without a kink of its curvature has stripes without a kink. Far from the eye, where
+ * they are finer than the pixels, they fade to their mean.
+ */
+const FRAGMENT_STRIPES = `
+#include <normal_fragment_maps>
+if (striped) {
+  vec3 mirrored = reflect(-normalize(vViewPosition), normal);
+  float phase = ${STRIPES.toFixed(1)} / PI * acos(clamp(mirrored.y, -1.0, 1.0));
+  float step = fwidth(phase);
+  float light = smoothstep(0.5 - step, 0.5 + step, abs(2.0 * fract(phase) - 1.0));
+  diffuseColor.rgb = mix(vec3(0.03), vec3(0.86), mix(light, 0.5, smoothstep(0.35, 0.7, step)));
+}
+`;
+
+/** @param {{fragmentShader: string, uniforms: object}} shader @param {object} uniforms */
+function addStripes(shader, uniforms) {
+  Object.assign(shader.uniforms, uniforms);
+  shader.fragmentShader = `uniform bool striped;\n${shader.fragmentShader}`.replace(
+    '#include <normal_fragment_maps>',
+    FRAGMENT_STRIPES,
+  );
+}
+
+/**
+ * @returns {{material: MeshStandardMaterial, held: MeshStandardMaterial, shade: (quantity: Quantity | null, range: Range | null, striped?: boolean) => void,
  *   dispose: () => void}}
  */
 export function createSurfaceMaterial() {
@@ -66,6 +94,7 @@ export function createSurfaceMaterial() {
     colourMap: { value: textures.diverging },
     range: { value: [-1, 1] },
   };
+  const stripes = { striped: { value: false } };
   const material = new MeshStandardMaterial({ color: PLAIN, roughness: 0.52, metalness: 0, side: DoubleSide });
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
@@ -77,12 +106,15 @@ export function createSurfaceMaterial() {
       '#include <color_fragment>',
       FRAGMENT_COLOUR,
     );
+    addStripes(shader, stripes);
   };
   const held = new MeshStandardMaterial({ color: HELD, roughness: 0.7, metalness: 0, side: DoubleSide });
+  held.onBeforeCompile = (shader) => addStripes(shader, stripes);
   return {
     material,
     held,
-    shade(quantity, range) {
+    shade(quantity, range, striped = false) {
+      stripes.striped.value = striped;
       uniforms.which.value = quantity && range ? allQuantities.indexOf(quantity) : -1;
       if (!quantity || !range) return;
       uniforms.colourMap.value = textures[quantity.map];

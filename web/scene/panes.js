@@ -112,8 +112,8 @@ export function createPanes(canvas, { calm, slow, rested }) {
     },
 
     /** @param {Quantity | null} quantity @param {Range | null} range */
-    shade(quantity, range) {
-      surfaceMaterial.shade(quantity, range);
+    shade(quantity, range, striped = false) {
+      surfaceMaterial.shade(quantity, range, striped);
       painter.request();
     },
 

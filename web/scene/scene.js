@@ -194,8 +194,8 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     },
 
     /** @param {Quantity | null} quantity @param {Range | null} range */
-    shade(quantity, range) {
-      surfaceMaterial.shade(quantity, range);
+    shade(quantity, range, striped = false) {
+      surfaceMaterial.shade(quantity, range, striped);
       requestRender();
     },
 

@@ -36,6 +36,7 @@ export function createLegendView(root, choose, unit = (quantity) => `in ${quanti
   const caption = find(root, 'figcaption');
   select.append(
     ...offered.map(({ shading, name }) => element('option', { value: shading }, name)),
+    element('option', { value: 'stripes' }, 'Reflection stripes'),
     element('option', { value: 'plain' }, 'Plain'),
   );
   select.addEventListener('change', () => choose(/** @type {Shading} */ (select.value)), { signal: listening.signal });

@@ -87,8 +87,9 @@ export function createSurfaceView(root, dispatch) {
   });
   // The symmetry axis of generated shapes is z; modelling programs usually write y upwards.
   const setUp = whenChanged((/** @type {boolean} */ generated) => scene?.setUp(generated ? 'z' : 'y'));
-  const shade = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) =>
-    scene?.shade(quantity, range),
+  const shade = whenChanged(
+    (/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range, /** @type {boolean} */ striped) =>
+      scene?.shade(quantity, range, striped),
   );
   const recolour = whenChanged((/** @type {boolean} */ dark) => {
     // A colour of the style sheet, whatever form it is given in there, as the browser computes it.
@@ -118,7 +119,7 @@ export function createSurfaceView(root, dispatch) {
       setMarked(state.view.boundary, state.cage, state.taken, state.surface);
       awaitPicture(state.surface, state.coarse);
       setCage(state.surface, state.view.cage);
-      shade(quantityOf(state.view.shading), range);
+      shade(quantityOf(state.view.shading), range, state.view.shading === 'stripes');
       fit(state.fits);
       shown = true;
     },

@@ -48,8 +48,9 @@ export function createPanesView(root, dispatch) {
       }),
     );
   });
-  const shade = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) =>
-    scene?.shade(quantity, range),
+  const shade = whenChanged(
+    (/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range, /** @type {boolean} */ striped) =>
+      scene?.shade(quantity, range, striped),
   );
   const fit = whenChanged((/** @type {number} */ fits) => fits && scene?.fit());
 
@@ -62,7 +63,7 @@ export function createPanesView(root, dispatch) {
       panes.forEach((pane, i) => pane.update(state, state.entries[i] ?? null));
       setCamera(state.camera);
       setSurfaces(state.entries, state.surfaces);
-      shade(quantityOf(state.shading), range);
+      shade(quantityOf(state.shading), range, state.shading === 'stripes');
       fit(state.fits);
     },
 

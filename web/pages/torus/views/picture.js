@@ -66,8 +66,9 @@ export function createPictureView(root, dispatch) {
     scene.setSurface(mesh);
   });
   const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
-  const shade = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) =>
-    scene?.shade(quantity, range),
+  const shade = whenChanged(
+    (/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range, /** @type {boolean} */ striped) =>
+      scene?.shade(quantity, range, striped),
   );
   const fit = whenChanged((/** @type {number} */ fits) => fits && scene?.fit());
 
@@ -76,7 +77,8 @@ export function createPictureView(root, dispatch) {
     update({ least, camera, shading, fits }) {
       setCamera(camera);
       if (least) setRatio(drawnRatio(least.minimizer.ratio));
-      shade(quantityOf(shading), legend.update({ shading, curvatures: mesh ? [mesh.curvatures] : [], occasion: '' }));
+      const range = legend.update({ shading, curvatures: mesh ? [mesh.curvatures] : [], occasion: '' });
+      shade(quantityOf(shading), range, shading === 'stripes');
       fit(fits);
     },
     dispose() {
