@@ -11,6 +11,7 @@ import { serve } from '../browser/site.js';
 import { build } from './build.js';
 import { installPackages, installTools } from './install.js';
 import { catalogPictures } from './pictures/catalog.js';
+import { holdingPicture } from './pictures/holding.js';
 import { root } from './process.js';
 
 /** @typedef {import('playwright-core').Browser} Browser */
@@ -57,6 +58,7 @@ const wanted = process.argv.slice(2);
 if (!wanted.length || wanted.includes('readme')) {
   await pagePicture(browser, site.url);
   await capsPicture(browser, site.url);
+  await holdingPicture(browser, site.url, path.join(folder, 'holding.png'));
 }
 if (!wanted.length || wanted.includes('catalog')) await catalogPictures(browser);
 await browser.close();
