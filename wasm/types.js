@@ -38,6 +38,7 @@
  * @property {[number, number]} [levels] first and last, in Catmull-Clark steps from the cage; default [0, 2]
  * @property {number} [max_iterations] per level; default 1000
  * @property {number} [tolerance] default 1e-6
+ * @property {number} [accuracy] ends with the first level from which the limit is known within this part of it
  * @property {boolean} [symmetry] whether the surface keeps the symmetry of the cage; default true
  * @property {MetricName} [metric] default 'auto'
  */

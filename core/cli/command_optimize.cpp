@@ -93,6 +93,7 @@ std::string table(const Ending& ending) {
   return input_line(ending.cage, ending.run.cage) +
          fmt::format("minimized {}, cap {}, {}\n", objective, name_of(options.cap), group_words(run.group())) +
          level_table(run.levels()) + limit_line(run.limit()) +
+         (options.accuracy ? accuracy_line(run.limit(), *options.accuracy) : "") +
          (ending.certificate ? certificate_line(*ending.certificate, run.group()) : "") +
          result_line(run.levels(), run.result()) + energy_table(run.energies(), objective) +
          (constraints ? constraints_table(*constraints) : "") + credibility_lines(run.energies());

@@ -32,6 +32,18 @@ Result<double> parse_positive(const std::string& text) {
   return number;
 }
 
+/// "draft", "good", "fine" or "2%".
+Result<double> parse_accuracy(const std::string& text) {
+  constexpr std::pair<std::string_view, double> kNamed[]{{"draft", 0.05}, {"good", 0.01}, {"fine", 0.003}};
+  for (const auto& [name, part] : kNamed) {
+    if (name == text) return part;
+  }
+  const Result<double> percent =
+      text.ends_with('%') ? parse_real(text.substr(0, text.size() - 1)) : Error{"no percent sign"};
+  if (percent && *percent > 0 && *percent < 100) return *percent / 100;
+  return Error{fmt::format("{} is none of draft, good, fine, nor a percentage as in 2%", in_quotes(text))};
+}
+
 Result<int> parse_iterations(const std::string& text) { return parse_count(text, 0, std::numeric_limits<int>::max()); }
 
 Result<BoundaryCondition> parse_boundary(const std::string& text) {
@@ -156,6 +168,10 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
   add_change(command, changes, "--tolerance", "T",
              "A level ends when the decrease still predicted is below\nT * max(energy, 1e-6 * 8 pi) [1e-6]",
              parse_tolerance, [](Problem& problem, double tolerance) { problem.options.tolerance = tolerance; });
+  add_change(command, changes, "--accuracy", "A",
+             "Levels and tolerance as they are needed to know the limit within A: draft (5%), good (1%), fine (0.3%),\n"
+             "or X%; at most six levels",
+             parse_accuracy, [](Problem& problem, double accuracy) { problem.options.accuracy = accuracy; });
   command.add_flag(
       "--no-symmetry",
       [changes](std::int64_t) { changes->push_back([](Problem& problem) { problem.options.symmetry = false; }); },

@@ -211,6 +211,14 @@ std::string limit_line(const LimitReport& limit) {
   return "";
 }
 
+std::string accuracy_line(const LimitReport& limit, double accuracy) {
+  const double reached = limit.relative_error();
+  if (reached <= accuracy) return fmt::format("{:.4g}, within {:.2g} %\n", limit.energy, 100 * reached);
+  return fmt::format("not within {:.4g} %: {}\n", 100 * accuracy,
+                     std::isfinite(reached) ? fmt::format("the levels tell the limit within {:.2g} %", 100 * reached)
+                                            : "the levels tell no limit");
+}
+
 std::string certificate_line(const CertificateReport& certificate, const GroupReport& group) {
   std::string words = "a local minimum among all surfaces near it";
   if (certificate.negative > 0) {

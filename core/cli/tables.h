@@ -28,6 +28,9 @@ std::string constraints_table(const ConstraintsReport& report);
 std::string result_line(const std::vector<LevelReport>& levels, const LevelReport& result);
 /// The limit with its error bar, or why there is none.
 std::string limit_line(const LimitReport& limit);
+
+/// How well the limit is known, where an accuracy was asked for: "3913, within 0.8 %".
+std::string accuracy_line(const LimitReport& limit, double accuracy);
 /// Whether the surface is a local minimum. `group` is the symmetry that the run kept.
 std::string certificate_line(const CertificateReport& certificate, const GroupReport& group);
 

@@ -25,6 +25,22 @@
 
 namespace umbilic {
 
+namespace {
+
+/// With an accuracy a level ends when the decrease still predicted is this part of what may be left open.
+constexpr double kToleranceShare = 0.02;
+/// How many levels an accuracy may take, and how many if these do not even tell a limit: more than three, as energies
+/// may begin to converge late.
+constexpr int kMostLevels = 6, kMostLevelsWithoutLimit = 5;
+
+/// Whether so many levels tell the limit well enough, or seem to tell none.
+bool suffice(int levels, const LimitReport& limit, double accuracy) {
+  return limit.relative_error() <= accuracy ||
+         (levels >= kMostLevelsWithoutLimit && limit.status != LimitStatus::kConverging);
+}
+
+}  // namespace
+
 struct Run::State {
   /// A level that has ended, with what ranks it among the others.
   struct EndedLevel {
@@ -61,8 +77,12 @@ struct Run::State {
   mutable std::optional<EnergyReport> energies;  // cached for the current best surface
   mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
+  double tolerance() const {
+    return options.accuracy ? std::max(options.tolerance, kToleranceShare * *options.accuracy) : options.tolerance;
+  }
+
   LevelOptions level_options() const {
-    LevelOptions next{options.cap, options.weights, options.max_iterations, options.tolerance, options.metric};
+    LevelOptions next{options.cap, options.weights, options.max_iterations, tolerance(), options.metric};
     if (!levels.empty() && !within) next.energy_before = levels.back().energy_reported;
     next.fixed_area = fixed_area;
     return next;
@@ -159,6 +179,15 @@ struct Run::State {
     update_progress();
   }
 
+  LimitReport limit() const {
+    if (within) {
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      const double energy = levels.empty() ? nan : levels.back().energy_reported;
+      return {LimitStatus::kNotComparable, energy, nan, nan, nan};
+    }
+    return extrapolate(energies_of_levels, third_order(options.weights), level->surface().lower_bound());
+  }
+
   void end_level() {
     const EnergyReport report_of_ended = report_energies();
     levels.push_back(level->report(report_of_ended));
@@ -167,12 +196,14 @@ struct Run::State {
     if (report.evaluable && !within) {
       const bool minimized =
           (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
-      const double left = options.tolerance * std::max(report.energy_reported, kEnergyFloor);
+      const double left = tolerance() * std::max(report.energy_reported, kEnergyFloor);
       energies_of_levels.push_back({report.energy_reported, left + report_of_ended.quadrature_error,
                                     report_of_ended.functionals[kBending], minimized, report_of_ended.credible()});
     }
-    const bool last =
-        cancelled || level->number() >= options.last_level || levels.back().stop == StopReason::kNotFinite;
+    const auto evaluable = static_cast<int>(energies_of_levels.size());
+    const bool last = cancelled || level->number() >= options.last_level ||
+                      levels.back().stop == StopReason::kNotFinite ||
+                      (options.accuracy && suffice(evaluable, limit(), *options.accuracy));
     std::optional<RefinedCage> finer;
     if (!last) finer = refine(level->best_cage(), 1);
     EndedLevel ended{std::move(level), report, report_of_ended};
@@ -217,25 +248,39 @@ std::vector<int> faces_of_surface(const Cage& cage) {
   return faces;
 }
 
+/// The last of kMostLevels levels that can be evaluated, or the last that fits.
+void choose_last_level(const RefinedCage& cage, int required, int started, RunOptions& options) {
+  const int first = std::max({options.first_level, required, started});
+  const auto fits = [&](int level) {
+    options.last_level = level;
+    return faces_after(cage.mesh, level) <= kMaxFaces && !too_large_a_run(cage, required, options);
+  };
+  for (int level = first + kMostLevels - 1; level > first && !fits(level); --level) {
+  }
+}
+
 }  // namespace
 
-Result<Run> Run::create(const Cage& cage, const RunOptions& options, const Constraints& constraints,
+Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constraints& constraints,
                         const std::optional<SurfaceState>& start) {
   Error error;
-  if (!in_range(options, error)) return error;
+  if (!in_range(asked, error)) return error;
   if (start && !in_range(*start, error)) return Error{"start." + error.message};
   if (!in_range(constraints, error)) return Error{"constraints." + error.message};
-  if (constraints.closeness && options.cap == CapKind::kFlat) {
+  if (constraints.closeness && asked.cap == CapKind::kFlat) {
     return Error{"constraints.closeness: caps flat are not linear in the control points; use smooth or none"};
   }
+  RunOptions options = asked;
+  if (asked.accuracy) options.last_level = asked.first_level;  // chosen below
   Result<RefinedCage> prepared =
       prepare(cage, std::max(options.last_level, start ? start->level : 0), options.symmetry || start, constraints);
   if (!prepared) return prepared.error();
   if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
   const bool constrained = prepared->is_constrained();
   auto state = std::make_unique<State>();
-  state->options = options;
   state->required_level = required_level(prepared->mesh).value();
+  if (options.accuracy) choose_last_level(*prepared, state->required_level, start ? start->level : 0, options);
+  state->options = options;
   if (auto error_of_size = too_large_a_run(*prepared, state->required_level, options)) return *error_of_size;
   state->cage_numbers = faces_of_surface(cage);
   for (int h = 0; h < prepared->mesh.surface_halfedge_count(); ++h)
@@ -305,15 +350,7 @@ GroupReport Run::group() const {
   return report;
 }
 
-LimitReport Run::limit() const {
-  if (state_->within) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const double energy = state_->levels.empty() ? nan : state_->levels.back().energy_reported;
-    return {LimitStatus::kNotComparable, energy, nan, nan, nan};
-  }
-  return extrapolate(state_->energies_of_levels, third_order(state_->options.weights),
-                     state_->level->surface().lower_bound());
-}
+LimitReport Run::limit() const { return state_->limit(); }
 
 std::optional<ConstraintsReport> Run::constraints() const {
   const Surface& surface = state_->level->surface();

@@ -29,6 +29,10 @@ class Run {
   /// their size), the weights are unusable, or the refined mesh would have more than kMaxFaces faces (2 million) or the
   /// run take more than kMostRunBytes of memory (driver/memory.h).
   ///
+  /// With `options.accuracy` the run ends with the first level from which the limit is known so well (`limit`). There
+  /// are at most five levels that can be evaluated, and no more than fit; a level is not minimized further than
+  /// matters.
+  ///
   /// If `start` is given, it begins with that surface, and levels below that one's are left out. Fails, too, if the
   /// constraints or the start do not fit the cage.
   static Result<Run> create(const Cage& cage, const RunOptions& options, const Constraints& constraints = {},

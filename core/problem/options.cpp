@@ -21,6 +21,8 @@ bool in_range(const RunOptions& options, Error& error) {
     error.message = fmt::format("max_iterations: {} is negative", options.max_iterations);
   } else if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
     error.message = fmt::format("tolerance: {} is not a finite number >= 0", options.tolerance);
+  } else if (options.accuracy && !(*options.accuracy > 0 && *options.accuracy < 1)) {
+    error.message = fmt::format("accuracy: {} is not between 0 and 1", *options.accuracy);
   }
   return error.message.empty();
 }

@@ -3,6 +3,8 @@
 /// The user's options for a run.
 #pragma once
 
+#include <optional>
+
 #include "energy/functional.h"
 #include "problem/metric_choice.h"
 #include "surface/cap_kind.h"
@@ -18,6 +20,7 @@ struct RunOptions {
   double tolerance = 1e-6;    ///< >= 0: see StopReason::kConverged
   bool symmetry = true;       ///< whether the surface keeps the cage's symmetry
   MetricChoice metric = MetricChoice::kAutomatic;
+  std::optional<double> accuracy{};  ///< in (0, 1): chooses the last level and the tolerance, see Run::create
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
@@ -29,6 +32,9 @@ struct RunOptions {
           "A level ends when the decrease still predicted is below tolerance * max(energy, 1e-6 * 8 pi)");
     visit("symmetry", self.symmetry, "Whether the surface keeps the symmetry of the cage");
     visit("metric", self.metric, "What the optimizer measures steps with");
+    visit("accuracy", self.accuracy,
+          "Ends with the first level from which the limit is known within this part of it: the last of levels does not "
+          "count, and the tolerance is the greater of the given one and a fiftieth of this");
   }
 };
 

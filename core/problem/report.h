@@ -183,6 +183,11 @@ struct LimitReport {
   double error = 0;
   double lower = 0;
 
+  /// The error as a part of the limit; NaN unless there is one.
+  double relative_error() const {
+    return status == LimitStatus::kConverging ? error / std::abs(energy) : std::numeric_limits<double>::quiet_NaN();
+  }
+
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("status", self.status, "Whether the levels tell a limit, or why they do not");
