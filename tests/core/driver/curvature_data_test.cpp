@@ -19,8 +19,6 @@
 namespace umbilic {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// A curve in the half-plane of a radius r and a height z with its first two derivatives: (r, z), (r', z'), (r'', z'').
 struct Profile {
   std::function<Eigen::Matrix<double, 3, 2>(double)> at;
@@ -40,7 +38,7 @@ Profile circle(double center, double radius, double begin, double end) {
 /// the knots of their splines. The other rows are on the surface, and moved at random by up to `disturbance`.
 Cage band(const Profile& profile, int n, int m, double disturbance) {
   const double step = (profile.end - profile.begin) / m;
-  const double swell = 3 / (2 + std::cos(2 * kPi / n));  // of a ring of control points, beyond its circle
+  const double swell = 3 / (2 + std::cos(2 * std::numbers::pi / n));  // of a ring of control points, beyond its circle
   std::mt19937 random(7);
   Cage cage;
   cage.vertices.resize((m + 3) * n, 3);
@@ -52,7 +50,7 @@ Cage band(const Profile& profile, int n, int m, double disturbance) {
     Eigen::RowVector2d row = p.row(0);  // of C + k D + (1/2 k^2 - 1/6) E
     if (boundary) row += k * step * p.row(1) + (k * k / 2. - 1 / 6.) * step * step * p.row(2);
     for (int i = 0; i < n; ++i) {
-      const double angle = 2 * kPi * i / n;
+      const double angle = 2 * std::numbers::pi * i / n;
       Vector3 x(swell * row[0] * std::cos(angle), swell * row[0] * std::sin(angle), row[1]);
       for (int c = 0; c < 3 && !boundary; ++c) x[c] += disturbance * (2. * random() / std::mt19937::max() - 1);
       cage.vertices.row((j + 1) * n + i) = x;
@@ -72,7 +70,7 @@ Cage band(const Profile& profile, int n, int m, double disturbance) {
   return cage;
 }
 
-Run minimized(const Cage& cage, const char* functional, int last_level) {
+Run with_curvature_held(const Cage& cage, const char* functional, int last_level) {
   RunOptions options;
   options.weights = *weights_of(functional);
   options.last_level = last_level;
@@ -90,7 +88,7 @@ Run minimized(const Cage& cage, const char* functional, int last_level) {
 double floor_of(const Profile& profile, int n, int m, Functional functional) {
   const char* const name = kFunctionalNames[functional].data();
   const Cage disturbed = band(profile, n, m, 0.03);
-  const Run run = minimized(band(profile, n, m, 0), name, 3), again = minimized(disturbed, name, 0);
+  const Run run = with_curvature_held(band(profile, n, m, 0), name, 3), again = with_curvature_held(disturbed, name, 0);
   EXPECT_GT(run.group().order, 2 * n - 1);
   EXPECT_EQ(again.group().order, 1);
   EXPECT_EQ(again.result().stop, StopReason::kConverged);
