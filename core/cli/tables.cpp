@@ -211,11 +211,21 @@ std::string limit_line(const LimitReport& limit) {
   return "";
 }
 
+namespace {
+
+/// A part in percent, rounded up to two digits: an error is not told to be smaller than it is.
+double percent(double part) {
+  const double unit = std::pow(10, std::floor(std::log10(100 * part)) - 1);
+  return unit * std::ceil(100 * part / unit * (1 - 1e-12));
+}
+
+}  // namespace
+
 std::string accuracy_line(const LimitReport& limit, double accuracy) {
   const double reached = limit.relative_error();
-  if (reached <= accuracy) return fmt::format("{:.4g}, within {:.2g} %\n", limit.energy, 100 * reached);
+  if (reached <= accuracy) return fmt::format("{:.4g}, within {:.2g} %\n", limit.energy, percent(reached));
   return fmt::format("not within {:.4g} %: {}\n", 100 * accuracy,
-                     std::isfinite(reached) ? fmt::format("the levels tell the limit within {:.2g} %", 100 * reached)
+                     std::isfinite(reached) ? fmt::format("the levels tell the limit within {:.2g} %", percent(reached))
                                             : "the levels tell no limit");
 }
 

@@ -4,6 +4,7 @@
  * worker that hangs; and using the keyboard only.
  */
 import { readFileSync } from 'node:fs';
+import path from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { Cage, Minimizer, load } from '../../wasm/umbilic.js';
 import {
@@ -16,6 +17,7 @@ import {
   parseProgress,
   progress,
   recordProgress,
+  screenshots,
   status,
 } from './page.js';
 import { servedPage } from './served.js';
@@ -234,6 +236,25 @@ describe('a user', () => {
     expect(await button(page, 'Start').getAttribute('aria-disabled')).toBe('true');
     await page.context().close();
   });
+
+  test('asks for an accuracy instead of levels, and reads what was reached', async () => {
+    const { page, errors } = await openPage(served.browser, served.url);
+    await page.locator('[name=functional]').selectOption('bending');
+    await page.locator('[name=last]').selectOption('within 0.01');
+    await measured(page);
+    await button(page, 'Start').click();
+    await status(page, /^Converged after/, 60_000);
+    const limit = await page.locator('#limit').innerText();
+    const [, energy, percent] = /^Limit ([\d.]+) ± [\d.]+, .*, within ([\d.]+)\u202f%$/.exec(limit) ?? [];
+    expect(Number(percent)).toBeLessThanOrEqual(1);
+    expect(Math.abs(Number(energy) / 112.7668 - 1)).toBeLessThan(Number(percent) / 100);
+    expect(new URL(page.url()).searchParams.get('accuracy')).toBe('0.01');
+    await page.screenshot({ path: path.join(screenshots, 'accuracy.png') });
+    await page.locator('[name=last]').selectOption('2');
+    await page.waitForFunction(() => !location.search.includes('accuracy'));
+    expect(errors).toEqual([]);
+    await page.context().close();
+  }, 90_000);
 
   test('works with the keyboard alone: to Start by Tab, Enter, and Enter again to pause', async () => {
     const { page } = await openPage(served.browser, served.url);

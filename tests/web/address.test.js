@@ -68,6 +68,7 @@ describe('a value that means nothing falls back, and one sentence quotes it and 
     ['studio', 'weights=length:1', { weights: {} }],
     ['studio', 'levels=3..1', { levels: [0, 2] }],
     ['studio', 'levels=0..9', { levels: [0, 2] }],
+    ['studio', 'accuracy=2', { accuracy: 0 }],
     ['studio', 'shading=rainbow', { shading: 'mean' }],
     ['studio', 'camera=1,2', { camera: firstCamera }],
     ['studio', 'camera=1,2,NaN', { camera: firstCamera }],

@@ -94,7 +94,7 @@ export function catalog() {
   };
 }
 
-/** @returns {Required<import('../../wasm/types.js').Options>} */
+/** @returns {Required<Omit<import('../../wasm/types.js').Options, 'accuracy'>>} */
 const options = () => ({
   cap: 'smooth',
   levels: [0, 4],

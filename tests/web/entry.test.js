@@ -186,6 +186,7 @@ describe('the studio’s address', () => {
     '?shape=two-3',
     '?shape=cube-frame&shading=kappa1&camera=-20,5,1.3',
     '?shape=two-4&functional=bending&start=cage&family=hub&thickness=0.6',
+    '?shape=two-3&accuracy=0.01',
     '?shape=torus&functional=blend&start=cage&weights=bending:1,mvs_cross:2&cap=flat&symmetry=off&levels=1..3',
   ])('%s opens a cage whose address it is', (search) => {
     expect(address(after(opened(search), ...openedMessages(1)))).toBe(search);

@@ -223,6 +223,7 @@ describe('settings', () => {
         max_iterations: 7,
         tolerance: 0.1,
       }),
+      changeSettings(defaultSettings, { accuracy: 0.02 }),
       changeSettings(defaultSettings, { functional: 'blend' }),
     ]) {
       const problem = /** @type {import('../../wasm/types.js').Problem} */ (problemOf(source, settings, start));

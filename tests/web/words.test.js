@@ -161,6 +161,8 @@ describe('the limit of the levels', () => {
     };
     expect(limitWords(limit, levels)).toEqual({ value: '3917', error: '36', words: 'observed order 1.9' });
     expect(limitWords({ ...limit, order: NaN }, levels).words).toBe('the last levels agree');
+    expect(limitWords(limit, levels, 0.01).words).toBe('observed order 1.9, within 0.93\u202f%');
+    expect(limitWords(limit, levels, 0.003).words).toBe('observed order 1.9, within 0.93\u202f%, not 0.3\u202f%');
   });
 
   test('has a bar that ends where no surface is', () => {

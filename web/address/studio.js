@@ -26,6 +26,7 @@ import { readWeights, weightsExpected, writeWeights } from './weights.js';
  * @property {CapName} cap
  * @property {'on' | 'off'} symmetry
  * @property {[number, number]} levels
+ * @property {number} accuracy 0 where the levels are given
  * @property {Shading} shading
  * @property {Camera} camera
  */
@@ -67,6 +68,7 @@ const fields = {
   cap: choice(/** @type {const} */ (['smooth', 'flat', 'none']), 'smooth'),
   symmetry: choice(/** @type {const} */ (['on', 'off']), 'on'),
   levels,
+  accuracy: number(0, 0, 1),
   shading: studioShadingField,
   camera: cameraField,
 };

@@ -17,10 +17,10 @@ import { activeWeights, defaultSettings } from './settings.js';
  * @returns {{settings: Settings, wanted: EntryName | null, notices: string[]}} `wanted` is the catalog entry to open
  */
 export function whatIsAsked(address, settings) {
-  const { shape, functional, start, weights, cap, symmetry, levels } = address;
+  const { shape, functional, start, weights, cap, symmetry, levels, accuracy } = address;
   if (functional && start === 'catalog') return { settings, wanted: { shape, functional }, notices: [] };
   /** @type {Settings} */
-  const asked = { ...settings, cap, symmetry: symmetry === 'on', levels };
+  const asked = { ...settings, cap, symmetry: symmetry === 'on', levels, accuracy: accuracy || null };
   if (functional === 'blend') {
     const none = Object.fromEntries(functionals.map(({ id }) => [id, 0]));
     if (Object.keys(weights).length) asked.weights = /** @type {Settings['weights']} */ ({ ...none, ...weights });
@@ -45,10 +45,19 @@ export function addressOf(state) {
   const entry = opening?.entry ?? (showsEntry(state) ? minimizer?.entry : null);
   if (entry) return { ...looked, shape: entry.shape, functional: entry.functional };
   if (cage?.source.kind === 'text') return { ...looked, shape: '' };
-  const { functional, cap, symmetry, levels } = settings;
+  const { functional, cap, symmetry, levels, accuracy } = settings;
   const { name, family, thickness } = generator;
   /** @type {StudioAddress} */
-  const asked = { ...looked, shape: name, family, thickness, cap, symmetry: symmetry ? 'on' : 'off', levels };
+  const asked = {
+    ...looked,
+    shape: name,
+    family,
+    thickness,
+    cap,
+    symmetry: symmetry ? 'on' : 'off',
+    levels,
+    accuracy: accuracy ?? 0,
+  };
   if (functional === defaultSettings.functional) return asked;
   const weights = functional === 'blend' ? activeWeights(settings) : {};
   return { ...asked, functional, start: 'cage', weights };

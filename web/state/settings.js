@@ -9,6 +9,9 @@
 /** The largest level that the page offers. Each level has four times as many patches as the one before. */
 export const MAX_LEVEL = 6;
 
+/** The accuracies that the page offers, as parts of the limit. */
+export const ACCURACIES = [0.05, 0.01, 0.003];
+
 /** @type {Settings} */
 export const defaultSettings = {
   functional: 'mvs_cross',
@@ -16,6 +19,7 @@ export const defaultSettings = {
   cap: 'smooth',
   symmetry: true,
   levels: [0, 2],
+  accuracy: null,
   tolerance: 1e-6,
   max_iterations: 1000,
   constraints: {},
@@ -72,13 +76,13 @@ export function problemWith(settings) {
  */
 export function problemOf(source, settings, start) {
   if (source.kind === 'problem') return new TextDecoder().decode(source.text);
-  const { cap, symmetry, levels, tolerance, max_iterations, constraints, fill } = settings;
+  const { cap, symmetry, levels, accuracy, tolerance, max_iterations, constraints, fill } = settings;
   return {
     cage: cageOf(source),
     terms: activeWeights(settings),
     ...(fill && { fill }),
     ...(Object.keys(constraints).length > 0 && { constraints }),
-    options: { cap, symmetry, levels, tolerance, max_iterations },
+    options: { cap, symmetry, levels, tolerance, max_iterations, ...(accuracy !== null && { accuracy }) },
     ...(start && { start }),
   };
 }
@@ -121,6 +125,7 @@ export function settingsFrom(settings, { terms, fill, constraints = {}, options 
     ...settings,
     constraints,
     fill: fill ?? null,
+    accuracy: options?.accuracy ?? null,
     ...(single ? { functional: names[0] } : { functional: /** @type {const} */ ('blend'), weights }),
   };
   for (const name of /** @type {const} */ (['cap', 'symmetry', 'levels', 'tolerance', 'max_iterations'])) {

@@ -21,6 +21,7 @@
  * @property {CapName} cap
  * @property {boolean} symmetry whether the surface keeps the symmetry of the cage
  * @property {[number, number]} levels Catmull-Clark steps from the cage
+ * @property {number | null} accuracy the part of the limit within which it is to be known, by as many levels as that takes
  * @property {number} tolerance
  * @property {number} max_iterations per level
  * @property {Constraints} constraints what is held, of the cage that is open; without lists that are empty

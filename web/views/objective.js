@@ -4,8 +4,9 @@
  * next run starts.
  */
 import { canStartFromSurface, settingsAreFree } from '../state/reduce.js';
-import { MAX_LEVEL, problemWith } from '../state/settings.js';
+import { ACCURACIES, MAX_LEVEL, problemWith } from '../state/settings.js';
 import { caps, functionals } from '../words/functionals.js';
+import { percent } from '../words/numbers.js';
 import { groupWords } from '../words/results.js';
 import { element, find, setText, whenChanged } from './dom.js';
 import { groupSymbol } from './group.js';
@@ -23,6 +24,21 @@ function functionalNote(id) {
 /** A number as a user would type it: 1e-6, 0.01. @param {number} value */
 function plainNumber(value) {
   return value > 0 && value < 1e-3 ? value.toExponential() : String(value);
+}
+
+/** The value of an accuracy in the menu of levels. @param {number} accuracy */
+const accuracyValue = (accuracy) => `within ${accuracy}`;
+
+/**
+ * What the menus of levels say. With an accuracy the last level does not count.
+ * @param {string} first
+ * @param {string} last
+ * @returns {Partial<Settings>}
+ */
+function levelsChosen(first, last) {
+  const accuracy = /^within (.+)$/.exec(last)?.[1];
+  if (accuracy) return { accuracy: Number(accuracy), levels: [Number(first), Math.max(Number(first), 2)] };
+  return { accuracy: null, levels: [Number(first), Number(last)] };
 }
 
 /**
@@ -79,8 +95,13 @@ export function createObjectiveView(root, dispatch) {
     select.append(
       ...Array.from({ length: MAX_LEVEL + 1 }, (_, i) => element('option', { value: String(i) }, String(i))),
     );
-    onChange(select, () => change({ levels: [Number(first.value), Number(last.value)] }));
+    onChange(select, () => change(levelsChosen(first.value, last.value)));
   }
+  const accuracies = element('optgroup', { label: 'As many as it takes' });
+  last.append(accuracies);
+  const offer = (/** @type {number} */ accuracy) =>
+    accuracies.append(element('option', { value: accuracyValue(accuracy) }, `within ${percent(accuracy)}`));
+  ACCURACIES.forEach(offer);
   onChange(tolerance, () => change({ tolerance: Number(tolerance.value.replace(',', '.') || NaN) }));
   onChange(maxIterations, () => change({ max_iterations: maxIterations.valueAsNumber }));
   const originInputs = /** @type {HTMLInputElement[]} */ ([...origin.querySelectorAll('input')]);
@@ -99,6 +120,11 @@ export function createObjectiveView(root, dispatch) {
     setText(find(root, '#cap-words'), caps.find(({ id }) => id === settings.cap)?.meaning ?? '');
     symmetry.checked = settings.symmetry;
     [first.value, last.value] = settings.levels.map(String);
+    if (settings.accuracy !== null) {
+      last.value = accuracyValue(settings.accuracy);
+      if (!last.value) offer(settings.accuracy);
+      last.value = accuracyValue(settings.accuracy);
+    }
     if (Number.isFinite(settings.tolerance)) tolerance.value = plainNumber(settings.tolerance);
     if (Number.isFinite(settings.max_iterations)) maxIterations.value = String(settings.max_iterations);
     for (const input of originInputs) input.checked = input.value === settings.origin;

@@ -30,6 +30,13 @@ function fixed(value, decimals) {
   return value < 0 && /[1-9]/.test(text) ? MINUS + text : text;
 }
 
+/** A part in percent, rounded up to two digits: 0.93 %, 5 %. @param {number} part */
+export function percent(part) {
+  const digits = 1 - Math.floor(Math.log10(100 * part));
+  const up = Math.ceil(Number((100 * part * 10 ** digits).toPrecision(12))) / 10 ** digits;
+  return `${Number(up.toPrecision(2))}\u202f%`;
+}
+
 /**
  * `value` with `digits` significant digits: 112.767, 4 227.3 as 4227.30, 1.3 × 10⁻⁷.
  * @param {number} value

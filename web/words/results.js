@@ -2,7 +2,7 @@
 /**
  * @file A cage's repairs, and a run's levels, limit, symmetry and certificate in words.
  */
-import { counted, lowerBound, significant, withError } from './numbers.js';
+import { counted, lowerBound, percent, significant, withError } from './numbers.js';
 
 /** @import {CageReport, CertificateReport, Group, LevelReport, Limit, StopReason} from '../../wasm/types.js' */
 
@@ -20,14 +20,18 @@ export const metricWords = { identity: 'Euclidean', sobolev: 'Sobolev', hessian:
  * The extrapolated energy with its error, or the reason why there is none.
  * @param {Limit} limit
  * @param {LevelReport[]} levels
+ * @param {number | null} [accuracy] that was asked for, as a part of the limit
  * @returns {{value: string, error: string, words: string}} `value` and `error` are empty if there is no limit
  */
-export function limitWords({ status, energy, order, error, lower }, levels) {
+export function limitWords({ status, energy, order, error, lower }, levels, accuracy = null) {
   switch (status) {
     case 'converging': {
       const words = Number.isFinite(order) ? `observed order ${order.toFixed(1)}` : 'the last levels agree';
       const cut = lower > energy - error ? `, but not below ${lowerBound(lower, BOUND_DIGITS)}, as no surface is` : '';
-      return { ...withError(energy, error, ERROR_DIGITS), words: words + cut };
+      return {
+        ...withError(energy, error, ERROR_DIGITS),
+        words: words + cut + accuracyWords(error / Math.abs(energy), accuracy),
+      };
     }
     case 'too_few_levels': {
       const missing = ENOUGH_LEVELS - levels.filter(({ evaluable }) => evaluable).length;
@@ -43,6 +47,12 @@ export function limitWords({ status, energy, order, error, lower }, levels) {
     case 'not_converging':
       return { value: significant(energy), error: '', words: 'upper bound, not converging' };
   }
+}
+
+/** @param {number} reached @param {number | null} asked */
+function accuracyWords(reached, asked) {
+  if (asked === null) return '';
+  return reached <= asked ? `, within ${percent(reached)}` : `, within ${percent(reached)}, not ${percent(asked)}`;
 }
 
 /**
