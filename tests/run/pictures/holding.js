@@ -39,6 +39,7 @@ export async function holdingPicture(browser, url, file) {
     const { page } = await openAddress(browser, address, {
       colorScheme: 'light',
       viewport: { width: 1240, height: 700 },
+      deviceScaleFactor: 2,
     });
     await measured(page);
     await dropFile(page, `${sample}.json`, JSON.stringify(problem));
