@@ -21,6 +21,8 @@ namespace {
 /// After this many iterations a new metric costs less than the iterations that it saves.
 constexpr int kHessianLifetime = 10;
 constexpr int kSobolevLifetime = 25;
+/// Newton's metric converges in a third of the evaluations where it is built anew after every other iteration.
+constexpr int kNewtonLifetime = 2;
 
 /// Far from a minimum a Hessian may need so much of the Sobolev product that it contributes nothing itself. After this
 /// many uninformative metrics in a row the Sobolev metric is used alone, unless the surface has so few patches that the
@@ -51,12 +53,13 @@ const IdentityMetric kIdentityMetric;
 /// Chooses the metric that is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost
 /// grows faster with the number of unknowns. So it does not pay for large surfaces without symmetry, which have more
 /// patches per unknown; and for functionals of second order, which converge well in any metric, it pays only with
-/// symmetry.
+/// symmetry. Newton's pays without symmetry: there a few negative eigenvalues would spoil the Hessian for all else.
 MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
   const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
   const int most = third_order(options.weights) ? kMostHessianUnknowns : second_order_most;
-  return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
+  if (unknowns > most) return MetricChoice::kSobolev;
+  return surface.symmetry().order > 1 ? MetricChoice::kHessian : MetricChoice::kNewton;
 }
 
 /// What is minimized, at the surface's start.
@@ -169,14 +172,17 @@ void Level::make_metric() {
   } else {
     metric_ = std::make_unique<HessianMetric>(surface_.layout(), unknowns_, options_.weights,
                                               hessian_rule(options_.cap, options_.weights, options_.quadrature), gauge_,
-                                              options_.fixed_area, surface_.closeness());
+                                              options_.fixed_area, surface_.closeness(),
+                                              metric_choice_ == MetricChoice::kNewton);
   }
 }
 
 bool Level::metric_is_stale() const {
   if (!metric_ || !lbfgs_->between_iterations() || (last_hessian_suffices() && lbfgs_->has_nearly_converged()))
     return false;
-  const int lifetime = metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
+  const int lifetime = metric_choice_ == MetricChoice::kNewton ? kNewtonLifetime
+                       : metric_->knows_hessian()              ? kHessianLifetime
+                                                               : kSobolevLifetime;
   return lbfgs_->iterations() - metric_iteration_ >= lifetime;
 }
 
@@ -234,7 +240,7 @@ bool Level::should_continue() {
     strict_ = true;
   }
   lbfgs_->resume(strict_ ? kToleranceReduction * options_.tolerance : options_.tolerance);
-  if (metric_ && !metric_->settled() && last_hessian_suffices()) {
+  if (metric_ && !metric_->settled() && (last_hessian_suffices() || metric_choice_ == MetricChoice::kNewton)) {
     metric_->settle();
     building_ = true;
   } else if (metric_) {
@@ -254,6 +260,7 @@ bool Level::above_the_level_before() const {
 }
 
 void Level::rebuild_metric() {
+  if (lbfgs_) metric_->gained(lbfgs_->latest_gain());
   metric_->begin(best());
   building_ = true;
 }

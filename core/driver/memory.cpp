@@ -22,7 +22,7 @@ double run_bytes(double faces, double patches, MetricChoice metric) {
   if (metric == MetricChoice::kAutomatic) {
     metric = 3 * patches <= kMostHessianUnknowns ? MetricChoice::kHessian : MetricChoice::kSobolev;
   }
-  const double patch = metric == MetricChoice::kHessian   ? kHessian
+  const double patch = metric == MetricChoice::kHessian || metric == MetricChoice::kNewton ? kHessian
                        : metric == MetricChoice::kSobolev ? kSobolev
                                                           : kIdentity;
   return kFace * faces + patch * patches;
