@@ -21,8 +21,8 @@ namespace {
 /// After this many iterations a new metric costs less than the iterations that it saves.
 constexpr int kHessianLifetime = 10;
 constexpr int kSobolevLifetime = 25;
-/// Newton's metric converges in a third of the evaluations where it is built anew after every other iteration.
-constexpr int kNewtonLifetime = 2;
+/// Newton's metric is the exact model of the next step only.
+constexpr int kNewtonLifetime = 1;
 
 /// Far from a minimum a Hessian may need so much of the Sobolev product that it contributes nothing itself. After this
 /// many uninformative metrics in a row the Sobolev metric is used alone, unless the surface has so few patches that the
@@ -53,13 +53,15 @@ const IdentityMetric kIdentityMetric;
 /// Chooses the metric that is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost
 /// grows faster with the number of unknowns. So it does not pay for large surfaces without symmetry, which have more
 /// patches per unknown; and for functionals of second order, which converge well in any metric, it pays only with
-/// symmetry. Newton's pays without symmetry: there a few negative eigenvalues would spoil the Hessian for all else.
+/// symmetry. Newton's pays without symmetry: there a few negative eigenvalues would spoil the Hessian for all else. Where
+/// something is held it finds its way into minima of the parametrization that others pass by.
 MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
   const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
   const int most = third_order(options.weights) ? kMostHessianUnknowns : second_order_most;
   if (unknowns > most) return MetricChoice::kSobolev;
-  return surface.symmetry().order > 1 ? MetricChoice::kHessian : MetricChoice::kNewton;
+  return surface.symmetry().order > 1 || surface.cage().is_constrained() ? MetricChoice::kHessian
+                                                                         : MetricChoice::kNewton;
 }
 
 /// What is minimized, at the surface's start.

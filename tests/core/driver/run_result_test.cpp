@@ -87,7 +87,7 @@ TEST(Run, builds_the_metric_that_was_chosen) {
     umbilic::Run run = started(*generate_cage("two-3"), options);
     finish(run);
     EXPECT_EQ(name_of(run.levels()[0].metric), name);
-    const int most = metric == MetricChoice::kIdentity ? 0 : metric == MetricChoice::kNewton ? 7 : 2;
+    const int most = metric == MetricChoice::kIdentity ? 0 : metric == MetricChoice::kNewton ? 13 : 2;
     EXPECT_LE(run.levels()[0].metrics, most);
     EXPECT_GE(run.levels()[0].metrics, most > 0 ? 1 : 0);
   }
