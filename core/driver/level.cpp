@@ -21,7 +21,8 @@ namespace {
 /// After this many iterations a new metric costs less than the iterations that it saves.
 constexpr int kHessianLifetime = 10;
 constexpr int kSobolevLifetime = 25;
-/// Newton's metric is the exact model of the next step only, which counts once mu is so small that the model is trusted.
+/// Newton's metric is the exact model of the next step only, which counts once mu is so small that the model is
+/// trusted.
 constexpr int kNewtonLifetime = 1;
 constexpr double kTrustedMu = 1e-2;
 /// Most unknowns of a level that the automatic choice gives Newton's metric.
@@ -57,16 +58,16 @@ const IdentityMetric kIdentityMetric;
 /// grows faster with the number of unknowns. So it does not pay for large surfaces without symmetry, which have more
 /// patches per unknown; and for functionals of second order, which converge well in any metric, it pays only with
 /// symmetry. Newton's pays without symmetry, where a few negative eigenvalues would spoil the Hessian for all else, on
-/// surfaces so small that a Hessian in each iteration is affordable. It does not where the mesh that is evaluated is finer
-/// than the one that moves, with many patches per unknown; nor where something is held, which it leaves in minima of the
-/// parametrization that others pass by.
+/// surfaces so small that a Hessian in each iteration is affordable. It does not where the mesh that is evaluated is
+/// finer than the one that moves, with many patches per unknown; nor where something is held, which it leaves in minima
+/// of the parametrization that others pass by.
 MetricChoice choose(const LevelOptions& options, const Surface& surface, int level, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
   const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
   const int most = third_order(options.weights) ? kMostHessianUnknowns : second_order_most;
   if (unknowns > most) return MetricChoice::kSobolev;
-  const bool newton = surface.symmetry().order == 1 && !surface.cage().is_constrained() &&
-                      surface.level() == level && unknowns <= kMostNewtonUnknowns;
+  const bool newton = surface.symmetry().order == 1 && !surface.cage().is_constrained() && surface.level() == level &&
+                      unknowns <= kMostNewtonUnknowns;
   return newton ? MetricChoice::kNewton : MetricChoice::kHessian;
 }
 

@@ -23,8 +23,8 @@ double run_bytes(double faces, double patches, MetricChoice metric) {
     metric = 3 * patches <= kMostHessianUnknowns ? MetricChoice::kHessian : MetricChoice::kSobolev;
   }
   const double patch = metric == MetricChoice::kHessian || metric == MetricChoice::kNewton ? kHessian
-                       : metric == MetricChoice::kSobolev ? kSobolev
-                                                          : kIdentity;
+                       : metric == MetricChoice::kSobolev                                  ? kSobolev
+                                                                                           : kIdentity;
   return kFace * faces + patch * patches;
 }
 

@@ -28,8 +28,8 @@ namespace umbilic {
 ///
 /// Newton's metric replaces up to kMostNegative negative eigenvalues by their absolute values instead
 /// (solve/absolute_inverse.h), so that mu need not be as large as the most negative one. A few such eigenvalues are
-/// usual: without symmetry a surface has many soft directions, those of its parametrization above all, and mu would damp
-/// them all. mu then measures how far the Hessian is trusted, by the latest decreases, as in a trust region.
+/// usual: without symmetry a surface has many soft directions, those of its parametrization above all, and mu would
+/// damp them all. mu then measures how far the Hessian is trusted, by the latest decreases, as in a trust region.
 class HessianMetric : public SurfaceMetric {
  public:
   /// `layout` and `unknowns` must outlive the metric; `fixed_area` as in SurfaceEnergy, `closeness` as in
@@ -56,9 +56,7 @@ class HessianMetric : public SurfaceMetric {
  private:
   void end_factoring();
   bool factored() const;
-  Eigen::VectorXd solve_freely(const Eigen::VectorXd& gradient) const {
-    return absolute_.solve(factor_, gradient);
-  }
+  Eigen::VectorXd solve_freely(const Eigen::VectorXd& gradient) const { return absolute_.solve(factor_, gradient); }
 
   const Unknowns& unknowns_;
   bool newton_;

@@ -61,8 +61,7 @@ AbsoluteInverse::AbsoluteInverse(const SparseCholesky& factor, const Eigen::Spar
   const int negative = factor.negative();
   if (negative == 0) return;
   const int size = static_cast<int>(product.rows());
-  const KrylovSpace space =
-      krylov_space(factor, product, std::min(size, kStepsPerEigenvalue * negative + kMoreSteps));
+  const KrylovSpace space = krylov_space(factor, product, std::min(size, kStepsPerEigenvalue * negative + kMoreSteps));
   const SymmetricEigen eigen = symmetric_eigen(space.matrix);
   std::vector<Eigen::Index> replaced;
   for (Eigen::Index i = 0; i < eigen.values.size(); ++i) {

@@ -23,9 +23,8 @@ Eigen::SparseMatrix<double> lower_of(const Eigen::MatrixXd& symmetric) {
 
 Eigen::MatrixXd random_matrix(int rows, int columns, unsigned seed) {
   std::mt19937 random(seed);
-  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&](Eigen::Index, Eigen::Index) {
-    return 2.0 * random() / std::mt19937::max() - 1;
-  });
+  return Eigen::MatrixXd::NullaryExpr(
+      rows, columns, [&](Eigen::Index, Eigen::Index) { return 2.0 * random() / std::mt19937::max() - 1; });
 }
 
 /// S = L L^T and H = L Q diag(values) Q^T L^T, so that the eigenvectors are the columns of L^-T Q.
