@@ -6,7 +6,7 @@
 
 /** @typedef {'bending'|'willmore'|'mvs'|'mvs_cross'|'mehlum_tarrou'|'second_form_variation'} FunctionalName */
 /** @typedef {'none'|'flat'|'smooth'} CapName */
-/** @typedef {'auto'|'identity'|'sobolev'|'hessian'} MetricName */
+/** @typedef {'auto'|'identity'|'sobolev'|'hessian'|'newton'} MetricName */
 /** @typedef {'prepare'|'minimize'|'report'|'done'} Phase */
 /**
  * @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'|

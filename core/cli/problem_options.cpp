@@ -177,7 +177,7 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
       [changes](std::int64_t) { changes->push_back([](Problem& problem) { problem.options.symmetry = false; }); },
       "Let the surface leave the cage's symmetry");
   add_change(command, changes, "--metric", "NAME",
-             "What the optimizer measures steps with: auto, identity, sobolev or hessian [auto]", parse_metric,
+             "What the optimizer measures steps with: auto, identity, sobolev, hessian or newton [auto]", parse_metric,
              [](Problem& problem, MetricChoice metric) { problem.options.metric = metric; });
   command
       .add_option_function<std::vector<std::string>>(

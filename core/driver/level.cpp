@@ -21,6 +21,12 @@ namespace {
 /// After this many iterations a new metric costs less than the iterations that it saves.
 constexpr int kHessianLifetime = 10;
 constexpr int kSobolevLifetime = 25;
+/// Newton's metric is the exact model of the next step only, which counts once mu is so small that the model is
+/// trusted.
+constexpr int kNewtonLifetime = 1;
+constexpr double kTrustedMu = 1e-2;
+/// Most unknowns of a level that the automatic choice gives Newton's metric.
+constexpr int kMostNewtonUnknowns = 2500;
 
 /// Far from a minimum a Hessian may need so much of the Sobolev product that it contributes nothing itself. After this
 /// many uninformative metrics in a row the Sobolev metric is used alone, unless the surface has so few patches that the
@@ -51,12 +57,18 @@ const IdentityMetric kIdentityMetric;
 /// Chooses the metric that is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost
 /// grows faster with the number of unknowns. So it does not pay for large surfaces without symmetry, which have more
 /// patches per unknown; and for functionals of second order, which converge well in any metric, it pays only with
-/// symmetry.
-MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
+/// symmetry. Newton's pays without symmetry, where a few negative eigenvalues would spoil the Hessian for all else, on
+/// surfaces so small that a Hessian in each iteration is affordable. It does not where the mesh that is evaluated is
+/// finer than the one that moves, with many patches per unknown; nor where something is held, which it leaves in minima
+/// of the parametrization that others pass by.
+MetricChoice choose(const LevelOptions& options, const Surface& surface, int level, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
   const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
   const int most = third_order(options.weights) ? kMostHessianUnknowns : second_order_most;
-  return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
+  if (unknowns > most) return MetricChoice::kSobolev;
+  const bool newton = surface.symmetry().order == 1 && !surface.cage().is_constrained() && surface.level() == level &&
+                      unknowns <= kMostNewtonUnknowns;
+  return newton ? MetricChoice::kNewton : MetricChoice::kHessian;
 }
 
 /// What is minimized, at the surface's start.
@@ -95,7 +107,7 @@ Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options
       gauge_(gauge_of(options.weights)),
       solutions_(solutions_of(start_, coordinates_)),
       unknowns_(make_unknowns(start_, coordinates_, surface_, solutions_)),
-      metric_choice_(choose(options, surface_, unknowns_.count())) {
+      metric_choice_(choose(options, surface_, start_.level, unknowns_.count())) {
   if (start_.is_constrained() && !leaves_size_open(start_)) gauge_.scaling = false;
 }
 
@@ -169,14 +181,16 @@ void Level::make_metric() {
   } else {
     metric_ = std::make_unique<HessianMetric>(surface_.layout(), unknowns_, options_.weights,
                                               hessian_rule(options_.cap, options_.weights, options_.quadrature), gauge_,
-                                              options_.fixed_area, surface_.closeness());
+                                              options_.fixed_area, surface_.closeness(),
+                                              metric_choice_ == MetricChoice::kNewton);
   }
 }
 
 bool Level::metric_is_stale() const {
   if (!metric_ || !lbfgs_->between_iterations() || (last_hessian_suffices() && lbfgs_->has_nearly_converged()))
     return false;
-  const int lifetime = metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
+  const bool newton = metric_choice_ == MetricChoice::kNewton && metric_->sobolev_share() <= kTrustedMu;
+  const int lifetime = newton ? kNewtonLifetime : metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
   return lbfgs_->iterations() - metric_iteration_ >= lifetime;
 }
 
@@ -234,7 +248,7 @@ bool Level::should_continue() {
     strict_ = true;
   }
   lbfgs_->resume(strict_ ? kToleranceReduction * options_.tolerance : options_.tolerance);
-  if (metric_ && !metric_->settled() && last_hessian_suffices()) {
+  if (metric_ && !metric_->settled() && (last_hessian_suffices() || metric_choice_ == MetricChoice::kNewton)) {
     metric_->settle();
     building_ = true;
   } else if (metric_) {
@@ -254,6 +268,7 @@ bool Level::above_the_level_before() const {
 }
 
 void Level::rebuild_metric() {
+  if (lbfgs_) metric_->gained(lbfgs_->latest_gain());
   metric_->begin(best());
   building_ = true;
 }

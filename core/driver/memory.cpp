@@ -22,9 +22,9 @@ double run_bytes(double faces, double patches, MetricChoice metric) {
   if (metric == MetricChoice::kAutomatic) {
     metric = 3 * patches <= kMostHessianUnknowns ? MetricChoice::kHessian : MetricChoice::kSobolev;
   }
-  const double patch = metric == MetricChoice::kHessian   ? kHessian
-                       : metric == MetricChoice::kSobolev ? kSobolev
-                                                          : kIdentity;
+  const double patch = metric == MetricChoice::kHessian || metric == MetricChoice::kNewton ? kHessian
+                       : metric == MetricChoice::kSobolev                                  ? kSobolev
+                                                                                           : kIdentity;
   return kFace * faces + patch * patches;
 }
 

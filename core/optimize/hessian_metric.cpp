@@ -13,16 +13,25 @@ namespace umbilic {
 
 HessianMetric::HessianMetric(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights,
                              const QuadratureRule& rule, const Gauge& gauge, std::optional<double> fixed_area,
-                             const ClosenessTerm* closeness)
+                             const ClosenessTerm* closeness, bool newton)
     : unknowns_(unknowns),
+      newton_(newton),
       scaling_(gauge.scaling),
       assembly_(layout, unknowns, weights, rule, kMetricUmbilicEta, fixed_area, closeness),
+      factor_(newton ? SparseCholesky::Pivots::kNonzero : SparseCholesky::Pivots::kPositive),
       mu_(kStartMu) {}
 
 void HessianMetric::begin(const Points& control) {
   assembly_.begin(control);
   assembled_ = factoring_ = ready_ = rose_ = false;
-  mu_ = std::max(mu_ / fall_, kSmallestMu);
+  if (!newton_) {
+    mu_ /= fall_;
+  } else if (latest_gain_ > kGoodGain) {
+    mu_ /= kMuFactor;
+  } else if (latest_gain_ < kPoorGain) {
+    mu_ *= kMuRise;
+  }
+  mu_ = std::max(mu_, kSmallestMu);
   settled_ = mu_ <= kSettledMu;
   size_gradient_ = unknowns_.pull_back(scaling_direction(control));
 }
@@ -48,20 +57,27 @@ bool HessianMetric::advance() {
   return ready_;
 }
 
+/// Whether the factors are those of a metric, or of one after a few eigenvalues are replaced.
+bool HessianMetric::factored() const {
+  return factor_.succeeded() && (!newton_ || factor_.negative() <= kMostNegative);
+}
+
 void HessianMetric::end_factoring() {
-  ready_ = factor_.succeeded() || mu_ >= kLargestMu;
+  ready_ = factored() || mu_ >= kLargestMu;
   if (!ready_) {
     mu_ *= kMuFactor;
     rose_ = settled_ = true;
     return;
   }
   fall_ = rose_ ? kMuFactor : std::min(fall_ * kMuFactor, kLargestMuFall);
-  if (factor_.succeeded() && scaling_) fixed_size_.set(size_gradient_, factor_.solve(size_gradient_));
+  if (!factored()) return;
+  absolute_ = newton_ ? AbsoluteInverse(factor_, assembly_.combine(0, 1), mu_) : AbsoluteInverse();
+  if (scaling_) fixed_size_.set(size_gradient_, solve_freely(size_gradient_));
 }
 
 Eigen::VectorXd HessianMetric::solve(const Eigen::VectorXd& gradient) const {
-  if (!factor_.succeeded()) return gradient;  // too irregular a surface: use the identity
-  return fixed_size_.project(factor_.solve(gradient));
+  if (!factored()) return gradient;  // too irregular a surface: use the identity
+  return fixed_size_.project(solve_freely(gradient));
 }
 
 }  // namespace umbilic

@@ -7,6 +7,7 @@
 #include "optimize/gauge.h"
 #include "optimize/hessian_assembly.h"
 #include "optimize/surface_metric.h"
+#include "solve/absolute_inverse.h"
 #include "solve/sparse_cholesky.h"
 #include "solve/tangent_projection.h"
 
@@ -24,13 +25,18 @@ namespace umbilic {
 ///
 /// Which mu: it grows until the factorization succeeds, and shrinks from one surface to the next, faster the longer it
 /// has not had to grow.
+///
+/// Newton's metric replaces up to kMostNegative negative eigenvalues by their absolute values instead
+/// (solve/absolute_inverse.h), so that mu need not be as large as the most negative one. A few such eigenvalues are
+/// usual: without symmetry a surface has many soft directions, those of its parametrization above all, and mu would
+/// damp them all. mu then measures how far the Hessian is trusted, by the latest decreases, as in a trust region.
 class HessianMetric : public SurfaceMetric {
  public:
   /// `layout` and `unknowns` must outlive the metric; `fixed_area` as in SurfaceEnergy, `closeness` as in
   /// HessianAssembly.
   HessianMetric(const PatchLayout& layout, const Unknowns& unknowns, const Weights& weights, const QuadratureRule& rule,
                 const Gauge& gauge = {}, std::optional<double> fixed_area = {},
-                const ClosenessTerm* closeness = nullptr);
+                const ClosenessTerm* closeness = nullptr, bool newton = false);
 
   void begin(const Points& control) override;
   bool advance() override;
@@ -41,6 +47,7 @@ class HessianMetric : public SurfaceMetric {
   void settle() override;
   /// Whether mu is small enough that the Hessian, not the Sobolev product, dominates the metric.
   bool predicts() const override;
+  void gained(double part) override { latest_gain_ = part; }
   /// mu.
   double sobolev_share() const override { return mu_; }
   /// a.
@@ -48,11 +55,16 @@ class HessianMetric : public SurfaceMetric {
 
  private:
   void end_factoring();
+  bool factored() const;
+  Eigen::VectorXd solve_freely(const Eigen::VectorXd& gradient) const { return absolute_.solve(factor_, gradient); }
 
   const Unknowns& unknowns_;
+  bool newton_;
   bool scaling_;  // whether the gauge contains it
   HessianAssembly assembly_;
-  SparseCholesky factor_{SparseCholesky::Pivots::kPositive};
+  SparseCholesky factor_;
+  AbsoluteInverse absolute_;
+  double latest_gain_ = 1;
   bool assembled_ = false, factoring_ = false, ready_ = false, settled_ = false, rose_ = false;
   double mu_, fall_ = 1;
   Eigen::VectorXd size_gradient_;  ///< a

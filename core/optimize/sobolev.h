@@ -31,6 +31,7 @@ class SobolevMetric : public SurfaceMetric {
   bool knows_hessian() const override { return false; }
   bool settled() const override { return true; }
   void settle() override {}
+  void gained(double) override {}
   double sobolev_share() const override { return 1; }
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
 

@@ -21,6 +21,9 @@ class SurfaceMetric : public Metric {
   /// Begins to improve a ready metric until it is `settled`, at a surface where the optimizer has converged; continue
   /// with `advance`. Reuses the assembled matrices, so it costs much less than a new metric.
   virtual void settle() = 0;
+  /// The decrease in the latest iteration, divided by what the metric had predicted, for metrics that trust themselves
+  /// by it.
+  virtual void gained(double part) = 0;
   /// The factor of the Sobolev product in the metric.
   virtual double sobolev_share() const = 0;
 };

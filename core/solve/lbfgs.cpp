@@ -137,11 +137,13 @@ void Lbfgs::begin_iteration() {
   const double largest = direction_.cwiseAbs().maxCoeff();
   LineSearchOptions search;
   search.max_step = std::max(1.0, kLongestStep * options_.max_displacement / largest);
+  model_ = model;
   search_.emplace(value_, slope, std::min(1.0, options_.max_displacement / largest), search);
 }
 
 void Lbfgs::end_iteration() {
   search_.reset();
+  latest_gain_ = (value_ - trial_.value) / model_;
   ++iterations_;
   restarted_ = false;
   Pair pair{trial_unknowns_ - unknowns_, trial_.gradient - gradient_, 0};

@@ -62,6 +62,8 @@ class Lbfgs {
   double predicted_decrease() const { return predicted_; }
   int iterations() const { return iterations_; }
   int evaluations() const { return evaluations_; }
+  /// The decrease in the latest iteration, divided by what the quadratic model had predicted; 1 before.
+  double latest_gain() const { return latest_gain_; }
 
  private:
   struct Pair {
@@ -92,6 +94,7 @@ class Lbfgs {
   double best_value_, best_gradient_norm_;
   double predicted_;
   int iterations_ = 0, evaluations_ = 0;
+  double model_ = 0, latest_gain_ = 1;
   bool restarted_ = false;
   std::optional<StopReason> stop_;
 };

@@ -46,6 +46,7 @@ describe('--metric', () => {
   test.each([
     ['auto', 'hessian'],
     ['hessian', 'hessian'],
+    ['newton', 'newton'],
     ['sobolev', 'sobolev'],
     ['identity', 'identity'],
   ])('%s is reported as %s', (option, name) => {

@@ -85,7 +85,7 @@ const senseless = [
   ['optimize - --functional bending --max-iterations 1.5', "'1.5' is not an integer from 0"],
   ['optimize - --functional bending --tolerance -1e-6', "'-1e-6' is negative"],
   ['optimize - --functional bending --tolerance inf', "'inf' is not a number"],
-  ['optimize - --functional bending --metric newton', "'newton' is none of auto, identity, sobolev, hessian"],
+  ['optimize - --functional bending --metric newtons', "'newtons' is none of auto, identity, sobolev, hessian, newton"],
   ['optimize - --functional bending --metric', 'metric'],
   ['evaluate - --certify', 'not expected: --certify'],
   ['optimize - --functional bending --density 0', "'0' is not an integer from 1 to 64"],

@@ -45,7 +45,7 @@ TEST(Api, names_the_symmetry_that_a_run_keeps_before_its_first_step) {
 
 TEST(Api, minimizes_in_the_metric_that_is_asked_for) {
   const MetricChoice used[] = {MetricChoice::kHessian, MetricChoice::kIdentity, MetricChoice::kSobolev,
-                               MetricChoice::kHessian};
+                               MetricChoice::kHessian, MetricChoice::kNewton};
   for (int metric = 0; metric < kMetricChoiceCount; ++metric) {
     Problem problem = bending_of("cube");
     problem.options.metric = static_cast<MetricChoice>(metric);

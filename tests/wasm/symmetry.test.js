@@ -56,6 +56,7 @@ describe('a metric', () => {
     /** @type {Array<[import('../../wasm/types.js').MetricName, string]>} */ ([
       ['auto', 'hessian'],
       ['hessian', 'hessian'],
+      ['newton', 'newton'],
       ['sobolev', 'sobolev'],
       ['identity', 'identity'],
     ]),

@@ -14,7 +14,7 @@ const ERROR_DIGITS = 2;
 const BOUND_DIGITS = 7;
 
 /** @type {Record<LevelReport['metric'], string>} */
-export const metricWords = { identity: 'Euclidean', sobolev: 'Sobolev', hessian: 'Hessian' };
+export const metricWords = { identity: 'Euclidean', sobolev: 'Sobolev', hessian: 'Hessian', newton: 'Newton' };
 
 /**
  * The extrapolated energy with its error, or the reason why there is none.

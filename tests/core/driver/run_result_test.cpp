@@ -77,6 +77,7 @@ TEST(Run, makes_a_cage_that_is_symmetric_to_four_decimals_exactly_symmetric) {
 TEST(Run, builds_the_metric_that_was_chosen) {
   const std::pair<MetricChoice, const char*> choices[] = {{MetricChoice::kAutomatic, "hessian"},
                                                           {MetricChoice::kHessian, "hessian"},
+                                                          {MetricChoice::kNewton, "newton"},
                                                           {MetricChoice::kSobolev, "sobolev"},
                                                           {MetricChoice::kIdentity, "identity"}};
   for (const auto& [metric, name] : choices) {
@@ -86,7 +87,7 @@ TEST(Run, builds_the_metric_that_was_chosen) {
     umbilic::Run run = started(*generate_cage("two-3"), options);
     finish(run);
     EXPECT_EQ(name_of(run.levels()[0].metric), name);
-    const int most = metric == MetricChoice::kIdentity ? 0 : 2;
+    const int most = metric == MetricChoice::kIdentity ? 0 : metric == MetricChoice::kNewton ? 13 : 2;
     EXPECT_LE(run.levels()[0].metrics, most);
     EXPECT_GE(run.levels()[0].metrics, most > 0 ? 1 : 0);
   }

@@ -178,6 +178,41 @@ TEST(HessianMetric, moves_along_no_mere_change_of_scale) {
   }
 }
 
+TEST(HessianMetric, of_newton_is_positive_definite_with_a_smaller_mu_although_some_eigenvalues_are_negative) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Surface s = rough_surface(*generate_cage("two-3"), 1, 0.1, seed);
+    HessianMetric hessian(s.layout, s.unknowns, only(kMvsCross), kFewPoints);
+    HessianMetric newton(s.layout, s.unknowns, only(kMvsCross), kFewPoints, {}, {}, nullptr, true);
+    finish(hessian, s.control);
+    finish(newton, s.control);
+    const double mu = newton.sobolev_share();
+    EXPECT_LT(mu, 0.11 * hessian.sobolev_share());
+    const Eigen::VectorXd values = eigenvalues(factored(s.layout, s.unknowns, only(kMvsCross), s.control, mu));
+    EXPECT_LT(values[0], 0);
+    EXPECT_GT(values[kMostNegative], 0) << "no more of them than are replaced";
+    const Eigen::VectorXd a = newton.size_gradient();
+    for (int i = 0; i < 20; ++i) {
+      const Eigen::VectorXd g = Random(100 * seed + i).matrix<Eigen::VectorXd>(s.unknowns.count(), 1);
+      EXPECT_GT(g.dot(newton.solve(g)), 0);
+      EXPECT_LT(std::abs(a.dot(newton.solve(g))), 1e-8 * a.norm() * newton.solve(g).norm());
+    }
+  }
+}
+
+TEST(HessianMetric, of_newton_trusts_itself_by_the_decreases_that_it_predicts) {
+  const Surface s = rough_surface(cube(), 1, 0.05, 1);
+  HessianMetric metric(s.layout, s.unknowns, only(kBending), kFewPoints, {}, {}, nullptr, true);
+  const auto share_after = [&](double part) {
+    metric.gained(part);
+    finish(metric, s.control);
+    return metric.sobolev_share();
+  };
+  const double first = share_after(1);
+  EXPECT_NEAR(share_after(1), first / kMuFactor, 1e-9 * first);
+  EXPECT_NEAR(share_after((kGoodGain + kPoorGain) / 2), first / kMuFactor, 1e-9 * first);
+  EXPECT_NEAR(share_after(0.9 * kPoorGain), first * kMuRise / kMuFactor, 1e-9 * first);
+}
+
 TEST(HessianMetric, knows_the_hessian) {
   const Surface s = rough_surface(cube(), 1, 0.05, 1);
   const HessianMetric metric(s.layout, s.unknowns, only(kBending), kFewPoints);
