@@ -25,8 +25,6 @@ constexpr int kSobolevLifetime = 25;
 /// trusted.
 constexpr int kNewtonLifetime = 1;
 constexpr double kTrustedMu = 1e-2;
-/// Most unknowns of a level that the automatic choice gives Newton's metric.
-constexpr int kMostNewtonUnknowns = 2500;
 
 /// Far from a minimum a Hessian may need so much of the Sobolev product that it contributes nothing itself. After this
 /// many uninformative metrics in a row the Sobolev metric is used alone, unless the surface has so few patches that the
@@ -57,18 +55,13 @@ const IdentityMetric kIdentityMetric;
 /// Chooses the metric that is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost
 /// grows faster with the number of unknowns. So it does not pay for large surfaces without symmetry, which have more
 /// patches per unknown; and for functionals of second order, which converge well in any metric, it pays only with
-/// symmetry. Newton's pays without symmetry, where a few negative eigenvalues would spoil the Hessian for all else, on
-/// surfaces so small that a Hessian in each iteration is affordable. It does not where the mesh that is evaluated is
-/// finer than the one that moves, with many patches per unknown; nor where something is held, which it leaves in minima
-/// of the parametrization that others pass by.
-MetricChoice choose(const LevelOptions& options, const Surface& surface, int level, int unknowns) {
+/// symmetry. Newton's is left to those who ask for it: without symmetry it converges where the Hessian does not, but in
+/// times that vary.
+MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
   const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
   const int most = third_order(options.weights) ? kMostHessianUnknowns : second_order_most;
-  if (unknowns > most) return MetricChoice::kSobolev;
-  const bool newton = surface.symmetry().order == 1 && !surface.cage().is_constrained() && surface.level() == level &&
-                      unknowns <= kMostNewtonUnknowns;
-  return newton ? MetricChoice::kNewton : MetricChoice::kHessian;
+  return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
 }
 
 /// What is minimized, at the surface's start.
@@ -107,7 +100,7 @@ Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options
       gauge_(gauge_of(options.weights)),
       solutions_(solutions_of(start_, coordinates_)),
       unknowns_(make_unknowns(start_, coordinates_, surface_, solutions_)),
-      metric_choice_(choose(options, surface_, start_.level, unknowns_.count())) {
+      metric_choice_(choose(options, surface_, unknowns_.count())) {
   if (start_.is_constrained() && !leaves_size_open(start_)) gauge_.scaling = false;
 }
 
