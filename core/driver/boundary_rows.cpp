@@ -108,6 +108,15 @@ class Rows {
   int vertex_ = 0;
 };
 
+/// Whether all of the surface's faces at a vertex are held.
+bool surface_is_held(const PolygonMesh& mesh, int v, const std::vector<bool>& held) {
+  if (held.empty()) return false;
+  for (const int spoke : spokes_from(mesh, mesh.outgoing(v))) {
+    if (mesh.is_surface(mesh.face(spoke)) && !held[mesh.face(spoke)]) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::vector<int>> numbered_loops(const PolygonMesh& mesh) {
@@ -123,7 +132,7 @@ std::vector<std::vector<int>> numbered_loops(const PolygonMesh& mesh) {
 }
 
 Result<std::vector<BoundaryCondition>> boundary_conditions(const BoundaryConditions& conditions,
-                                                           const PolygonMesh& mesh) {
+                                                           const PolygonMesh& mesh, const std::vector<bool>& held) {
   if (!mesh.is_open()) {
     if (conditions.loops.empty()) return std::vector<BoundaryCondition>();
     return Error{"constraints.boundary.loops[0]: the cage is closed"};
@@ -155,9 +164,10 @@ Result<std::vector<BoundaryCondition>> boundary_conditions(const BoundaryConditi
     for (std::size_t k = 0; k < count; ++k) result[loop[(begin + k) % loop.size()]] = wanted.condition;
   }
   const std::vector<bool> bare = bare_vertices(mesh);
+  const auto tells_curvature = [&](int v) { return bare.empty() || !bare[v] || surface_is_held(mesh, v, held); };
   for (int h = 0; h < mesh.surface_halfedge_count(); ++h) {
-    if (!mesh.is_boundary(h) || result[h] != BoundaryCondition::kCurvature || bare.empty()) continue;
-    if (!bare[mesh.origin(h)] && !bare[mesh.target(h)]) continue;
+    if (!mesh.is_boundary(h) || result[h] != BoundaryCondition::kCurvature) continue;
+    if (tells_curvature(mesh.origin(h)) && tells_curvature(mesh.target(h))) continue;
     return Error{fmt::format(
         "constraints.boundary: the cage says nothing of the curvature across its boundary at vertex {}: hold "
         "the faces next to it, or mark the outermost ones as holes",

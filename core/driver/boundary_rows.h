@@ -30,9 +30,10 @@ namespace umbilic {
 std::vector<std::vector<int>> numbered_loops(const PolygonMesh& mesh);
 
 /// The condition at each half-edge of the mesh of the cage, where that has the boundary on its right. Empty for closed
-/// meshes. Errors name a loop or a vertex that the cage does not have, and curvature where the cage gives none.
+/// meshes. `held` says of each face whether it is held; it may be empty. Errors name a loop or a vertex that the cage
+/// does not have, and curvature where neither ghosts of the cage nor held faces give one.
 Result<std::vector<BoundaryCondition>> boundary_conditions(const BoundaryConditions& conditions,
-                                                           const PolygonMesh& mesh);
+                                                           const PolygonMesh& mesh, const std::vector<bool>& held);
 
 /// The same on `finer`, the mesh after one Catmull-Clark step.
 std::vector<BoundaryCondition> refined(const std::vector<BoundaryCondition>& conditions, const PolygonMesh& mesh,

@@ -104,7 +104,7 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, co
   if (constraints.symmetric) {
     if (auto error = copy_over_symmetry(constraints, group, result)) return *error;
   }
-  auto boundary = boundary_conditions(constraints.boundary.value_or(BoundaryConditions()), mesh);
+  auto boundary = boundary_conditions(constraints.boundary.value_or(BoundaryConditions()), mesh, result.held);
   if (!boundary) return boundary.error();
   result.boundary = std::move(boundary).value();
   if (constraints.closeness) {

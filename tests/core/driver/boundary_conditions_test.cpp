@@ -141,6 +141,23 @@ TEST(BoundaryConditions, of_curvature_need_data) {
   EXPECT_NE(words.find("says nothing of the curvature across its boundary at vertex"), std::string::npos) << words;
 }
 
+TEST(BoundaryConditions, of_curvature_have_their_data_where_the_faces_at_the_boundary_are_held) {
+  const Cage grid = undulating_grid(6, 0.3);
+  Constraints constraints = at_boundary(BoundaryCondition::kCurvature);
+  constraints.hold.emplace();
+  for (int f = 0; f < 36; ++f) {
+    const int i = f % 6, j = f / 6;
+    if (i == 0 || j == 0 || i == 5 || j == 5) constraints.hold->faces.push_back(f + 1);
+  }
+  const umbilic::Run run = bounded(grid, "bending", 1, constraints);
+  EXPECT_LT(largest_residual(run, grid, constraints, 1), 1e-12);
+  EXPECT_GT(run.constraints()->deviation, 0.01) << "the rest is free";
+  constraints.hold->faces.pop_back();  // a corner
+  const std::string words =
+      umbilic::Run::create(grid, RunOptions{.weights = *weights_of("bending")}, constraints).error().message;
+  EXPECT_NE(words.find("boundary at vertex"), std::string::npos) << words;
+}
+
 /// The cylinder's own curvature at its boundaries, and nothing else, gives the cylinder back from a disturbed one. What
 /// is left is the error of the circle of the boundary, a spline.
 TEST(BoundaryConditions, of_curvature_find_the_cylinder_for_mvs_cross) {
@@ -170,7 +187,7 @@ TEST(BoundaryConditions, of_single_loops_and_stretches_replace_the_common_one) {
   const Cage grid = undulating_grid(3, 0.1);
   const PolygonMesh mesh(grid);
   BoundaryConditions conditions{BoundaryCondition::kTangent, {{1, 1, 4, BoundaryCondition::kFree}}};
-  const std::vector<BoundaryCondition> at = *boundary_conditions(conditions, mesh);
+  const std::vector<BoundaryCondition> at = *boundary_conditions(conditions, mesh, {});
   int free = 0, held = 0;
   for (int h = 0; h < mesh.surface_halfedge_count(); ++h) {
     if (!mesh.is_boundary(h)) continue;
@@ -179,7 +196,7 @@ TEST(BoundaryConditions, of_single_loops_and_stretches_replace_the_common_one) {
   EXPECT_EQ(free, 3);  // from vertex 1 along the first row to vertex 4
   EXPECT_EQ(held, 9);
   const auto message = [&](const LoopCondition& loop) {
-    return boundary_conditions({BoundaryCondition::kTangent, {loop}}, mesh).error().message;
+    return boundary_conditions({BoundaryCondition::kTangent, {loop}}, mesh, {}).error().message;
   };
   EXPECT_EQ(message({2, {}, {}, BoundaryCondition::kFree}),
             "constraints.boundary.loops[0].loop: there is no boundary 2; the cage has 1");
@@ -187,7 +204,7 @@ TEST(BoundaryConditions, of_single_loops_and_stretches_replace_the_common_one) {
             "constraints.boundary.loops[0].from: vertex 6 is not on that boundary");
   EXPECT_EQ(message({1, 1, {}, BoundaryCondition::kFree}),
             "constraints.boundary.loops[0].from: a stretch needs from and to");
-  EXPECT_EQ(boundary_conditions(conditions, PolygonMesh(*generate_cage("cube"))).error().message,
+  EXPECT_EQ(boundary_conditions(conditions, PolygonMesh(*generate_cage("cube")), {}).error().message,
             "constraints.boundary.loops[0]: the cage is closed");
 }
 
