@@ -12,6 +12,7 @@
 #include <optional>
 #include <tuple>
 
+#include "driver/accuracy.h"
 #include "driver/closeness_search.h"
 #include "driver/constraints_report.h"
 #include "driver/equations.h"
@@ -24,22 +25,6 @@
 #include "mesh/hierarchy.h"
 
 namespace umbilic {
-
-namespace {
-
-/// With an accuracy a level ends when the decrease still predicted is this part of what may be left open.
-constexpr double kToleranceShare = 0.02;
-/// How many levels an accuracy may take, and how many if these do not even tell a limit: more than three, as energies
-/// may begin to converge late.
-constexpr int kMostLevels = 6, kMostLevelsWithoutLimit = 5;
-
-/// Whether so many levels tell the limit well enough, or seem to tell none.
-bool suffice(int levels, const LimitReport& limit, double accuracy) {
-  return limit.relative_error() <= accuracy ||
-         (levels >= kMostLevelsWithoutLimit && limit.status != LimitStatus::kConverging);
-}
-
-}  // namespace
 
 struct Run::State {
   /// A level that has ended, with what ranks it among the others.
@@ -77,12 +62,8 @@ struct Run::State {
   mutable std::optional<EnergyReport> energies;  // cached for the current best surface
   mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
-  double tolerance() const {
-    return options.accuracy ? std::max(options.tolerance, kToleranceShare * *options.accuracy) : options.tolerance;
-  }
-
   LevelOptions level_options() const {
-    LevelOptions next{options.cap, options.weights, options.max_iterations, tolerance(), options.metric};
+    LevelOptions next{options.cap, options.weights, options.max_iterations, tolerance_of(options), options.metric};
     if (!levels.empty() && !within) next.energy_before = levels.back().energy_reported;
     next.fixed_area = fixed_area;
     return next;
@@ -196,7 +177,7 @@ struct Run::State {
     if (report.evaluable && !within) {
       const bool minimized =
           (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
-      const double left = tolerance() * std::max(report.energy_reported, kEnergyFloor);
+      const double left = tolerance_of(options) * std::max(report.energy_reported, kEnergyFloor);
       energies_of_levels.push_back({report.energy_reported, left + report_of_ended.quadrature_error,
                                     report_of_ended.functionals[kBending], minimized, report_of_ended.credible()});
     }
@@ -248,17 +229,6 @@ std::vector<int> faces_of_surface(const Cage& cage) {
   return faces;
 }
 
-/// The last of kMostLevels levels that can be evaluated, or the last that fits.
-void choose_last_level(const RefinedCage& cage, int required, int started, RunOptions& options) {
-  const int first = std::max({options.first_level, required, started});
-  const auto fits = [&](int level) {
-    options.last_level = level;
-    return faces_after(cage.mesh, level) <= kMaxFaces && !too_large_a_run(cage, required, options);
-  };
-  for (int level = first + kMostLevels - 1; level > first && !fits(level); --level) {
-  }
-}
-
 }  // namespace
 
 Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constraints& constraints,
@@ -269,6 +239,9 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constra
   if (!in_range(constraints, error)) return Error{"constraints." + error.message};
   if (constraints.closeness && asked.cap == CapKind::kFlat) {
     return Error{"constraints.closeness: caps flat are not linear in the control points; use smooth or none"};
+  }
+  if (asked.accuracy && constraints.closeness && constraints.closeness->within) {
+    return Error{"accuracy: with constraints.closeness.within the levels tell no limit; give levels instead"};
   }
   RunOptions options = asked;
   if (asked.accuracy) options.last_level = asked.first_level;  // chosen below

@@ -68,5 +68,16 @@ TEST(Accuracy, is_between_nothing_and_everything) {
   }
 }
 
+TEST(Accuracy, cannot_be_told_where_each_level_is_pulled_with_its_own_weight) {
+  RunOptions options;
+  options.weights = *weights_of("bending");
+  options.accuracy = 0.01;
+  Constraints constraints;
+  constraints.closeness = Closeness{{}, 0.1};
+  const Result<umbilic::Run> run = umbilic::Run::create(*generate_cage("cube"), options, constraints);
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().message.find("accuracy: "), 0u) << run.error().message;
+}
+
 }  // namespace
 }  // namespace umbilic
