@@ -57,6 +57,9 @@ async function fillAndRefuse(page) {
   await dropFile(page, 'plate.obj', plate());
   await page.getByRole('button', { name: 'Fill boundary 2' }).click();
   await page.locator('#held-count').filter({ hasText: '20 of 36 faces held' }).waitFor();
+  // Held faces beside it would tell the curvature at a boundary.
+  await page.getByRole('radio', { name: 'Paint', exact: true }).check();
+  await page.getByRole('button', { name: 'Invert', exact: true }).click();
   await page.getByRole('combobox', { name: 'What is held at boundary 1' }).selectOption('curvature');
   await page.locator('#boundaries .problem').filter({ hasText: 'curvature' }).waitFor();
   await page.locator('[name=shading]').selectOption('deviation');
