@@ -3,12 +3,11 @@
  * @file A user says what holds an open surface at its boundaries, fills a hole and takes that back, says how far the
  * surface may move, and sees how far it has moved and what pulls: all on the real core.
  */
-import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { Minimizer, load } from '../../wasm/umbilic.js';
 import { fish } from './fish.js';
-import { drawn, dropFile, energies, look, measured, openPage, screenshots, status } from './page.js';
+import { downloadedText, dropFile, energies, look, openPage, screenshots, settled, status } from './page.js';
 import { plate } from './plate.js';
 import { servedPage } from './served.js';
 
@@ -34,20 +33,6 @@ async function openCage(name, text, more = {}) {
   await page.locator('.facts').filter({ hasText: name }).waitFor();
   await settled(page);
   return opened;
-}
-
-/** Waits until the core has answered the last change. @param {Page} page */
-async function settled(page) {
-  await status(page, /^Ready/);
-  await measured(page);
-  await drawn(page);
-}
-
-/** @param {Page} page @param {string} name */
-async function download(page, name) {
-  const button = page.locator(`#downloads [name=${name}]:not([aria-disabled=true])`);
-  const [saved] = await Promise.all([page.waitForEvent('download'), button.click()]);
-  return JSON.parse(readFileSync(await saved.path(), 'utf8'));
 }
 
 /** @param {Page} page */
@@ -107,7 +92,7 @@ describe('the boundaries of an open cage', () => {
     await condition('boundary 2').selectOption('position');
     await settled(page);
     await minimize(page);
-    const report = await download(page, 'report');
+    const report = JSON.parse(await downloadedText(page, 'report'));
     expect(report.problem.constraints.boundary).toEqual({
       condition: 'tangent',
       loops: [{ loop: 2, condition: 'position' }],
@@ -138,7 +123,7 @@ describe('the boundaries of an open cage', () => {
     expect(await page.locator('#groups').innerText()).toMatch(/fill-2-rim\s*12 faces\s*fill-2\s*4 faces/);
     await page.screenshot({ path: path.join(screenshots, 'filled.png') });
     await minimize(page);
-    const report = await download(page, 'report');
+    const report = JSON.parse(await downloadedText(page, 'report'));
     expect(report.problem.fill).toEqual({ loops: [2] });
     const core = solved(report.problem);
     expect((await shown(page, /over the free faces/)) / (core.free?.bending ?? NaN)).toBeCloseTo(1, 4);
@@ -149,7 +134,7 @@ describe('the boundaries of an open cage', () => {
 
     // The problem brings the fill back on another page; the boundary is opened again there.
     const other = await openPage(served.browser, served.url);
-    await dropFile(other.page, 'problem.json', JSON.stringify(await download(page, 'problem')));
+    await dropFile(other.page, 'problem.json', await downloadedText(page, 'problem'));
     await other.page.locator('#held-count').filter({ hasText: '20 of 36 faces held' }).waitFor();
     await other.page.getByRole('button', { name: 'Open boundary 2 again' }).click();
     await other.page.locator('#held-count').filter({ hasText: 'Nothing is held.' }).waitFor();
@@ -172,7 +157,7 @@ describe('a generated open cage', () => {
     await settled(page);
     await page.getByRole('button', { name: 'Step', exact: true }).click();
     await status(page, /^Paused/);
-    const saved = await download(page, 'problem');
+    const saved = JSON.parse(await downloadedText(page, 'problem'));
     expect(saved.constraints.boundary).toMatchObject({ condition: 'curvature' });
     expect(await page.locator('#boundaries .problem').allInnerTexts()).toEqual(['', '', '']);
     expect(errors).toEqual([]);
@@ -199,7 +184,7 @@ describe('how far the surface may move', () => {
     expect((await look(page)).coloured).toBeLessThan(0.01); // nothing has moved
     await minimize(page);
     await page.locator('#pull-words').waitFor();
-    const { problem, constraints } = await download(page, 'report');
+    const { problem, constraints } = JSON.parse(await downloadedText(page, 'report'));
     expect(problem.constraints.closeness).toEqual({ within: 0.05 });
     const deviation = await shown(page, /^Largest deviation\|X − X₀\|, in the file’s units/);
     expect(deviation / constraints.deviation).toBeCloseTo(1, 4);

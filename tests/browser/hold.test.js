@@ -3,12 +3,11 @@
  * @file A user holds a part of a surface with the mouse or the keyboard and fairs the rest: groups of a file, painted
  * faces and pins; the run keeps them to the last bit, finds the core's energy, and the files restore them.
  */
-import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { Minimizer, load } from '../../wasm/umbilic.js';
 import { fish } from './fish.js';
-import { drawn, dropFile, energies, look, measured, openPage, screenshots, status } from './page.js';
+import { downloadedText, dropFile, energies, look, openPage, screenshots, settled, status } from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -33,25 +32,11 @@ async function openFish(options = {}) {
   return opened;
 }
 
-/** Waits until the core has answered the last change. @param {Page} page */
-async function settled(page) {
-  await status(page, /^Ready/);
-  await measured(page);
-  await drawn(page);
-}
-
 /** @param {Page} page @param {string} name */
 const pointer = (page, name) => page.getByRole('radio', { name, exact: true }).check();
 
 /** What the page says of held faces. @param {Page} page */
 const heldCount = async (page) => Number(/^\d+/.exec(await page.locator('#held-count').innerText())?.[0] ?? 0);
-
-/** @param {Page} page @param {string} name */
-async function download(page, name) {
-  const button = page.locator(`#downloads [name=${name}]:not([aria-disabled=true])`);
-  const [saved] = await Promise.all([page.waitForEvent('download'), button.click()]);
-  return readFileSync(await saved.path(), 'utf8');
-}
 
 /** Drags the mouse over the surface, at fractions of it. @param {Page} page @param {[number, number]} from @param {[number, number]} to */
 async function drag(page, from, to) {
@@ -115,9 +100,9 @@ describe('a group', () => {
     expect(await page.locator('#held-key').isVisible()).toBe(true);
     expect((await look(page)).coloured).toBeLessThan(0.9 * before.coloured);
     await minimize(page);
-    const report = JSON.parse(await download(page, 'report'));
+    const report = JSON.parse(await downloadedText(page, 'report'));
     expect(report.problem.constraints).toEqual({ hold: { groups: ['body'], faces: [] } });
-    const { moved, vertices, others } = heldPoints(await download(page, 'control'), report.problem, LEVEL);
+    const { moved, vertices, others } = heldPoints(await downloadedText(page, 'control'), report.problem, LEVEL);
     expect(vertices.length).toBeGreaterThan(100);
     expect(moved).toEqual([]);
     expect(others.length).toBeGreaterThan(50);
@@ -166,9 +151,9 @@ describe('the brush', () => {
     await drag(page, [0.05, 0.3], [0.15, 0.3]);
     await page.waitForURL((url) => url.href !== address);
     await minimize(page);
-    const report = JSON.parse(await download(page, 'report'));
+    const report = JSON.parse(await downloadedText(page, 'report'));
     expect(report.problem.constraints.hold.faces).toHaveLength(left);
-    const { moved, others } = heldPoints(await download(page, 'control'), report.problem, LEVEL);
+    const { moved, others } = heldPoints(await downloadedText(page, 'control'), report.problem, LEVEL);
     expect(moved).toEqual([]);
     expect(others.length).toBeGreaterThan(100);
     expect(report.energies.free.bending / (solved(report.problem).energies.free?.bending ?? NaN)).toBeCloseTo(1, 5);
@@ -231,10 +216,10 @@ describe('a pin', () => {
     await page.getByRole('button', { name: 'Remove the pin: Vertex 45' }).click();
     await settled(page);
     await page.screenshot({ path: path.join(screenshots, 'pinned.png') });
-    const problem = JSON.parse(await download(page, 'problem'));
+    const problem = JSON.parse(await downloadedText(page, 'problem'));
     expect(problem.constraints.pins).toHaveLength(2);
     await minimize(page);
-    const report = JSON.parse(await download(page, 'report'));
+    const report = JSON.parse(await downloadedText(page, 'report'));
     const own = new Minimizer({ ...problem, constraints: {} });
     const { centre, positions } = own.limitMesh(1);
     own.dispose();
@@ -260,7 +245,7 @@ describe('a pin', () => {
     await page.getByRole('button', { name: 'Remove the pin: Vertex 98' }).click();
     await page.getByRole('button', { name: 'Remove the pin: Vertex 98' }).waitFor({ state: 'hidden' });
     await settled(page);
-    const problem = JSON.parse(await download(page, 'problem'));
+    const problem = JSON.parse(await downloadedText(page, 'problem'));
     expect(problem.constraints.pins.map((/** @type {any} */ pin) => pin.vertex)).toEqual([45]);
     expect(errors).toEqual([]);
     await page.context().close();
@@ -272,7 +257,7 @@ describe('a problem that was saved', () => {
     const { page } = await openFish();
     await page.getByRole('checkbox', { name: /^head/ }).check();
     await settled(page);
-    const problem = await download(page, 'problem');
+    const problem = await downloadedText(page, 'problem');
     await page.context().close();
     const other = await openPage(served.browser, served.url);
     await dropFile(other.page, 'problem.json', problem);

@@ -2,6 +2,7 @@
 /**
  * @file Helpers for tests of the page: opening it, watching for errors, and reading what a user would read.
  */
+import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -152,6 +153,20 @@ export function energies(page) {
 /** Waits until the current surface has been drawn at full resolution. @param {Page} page */
 export async function drawn(page) {
   await page.locator('canvas[data-picture=fine]').waitFor();
+}
+
+/** Waits until the core has answered the last change. @param {Page} page */
+export async function settled(page) {
+  await status(page, /^Ready/);
+  await measured(page);
+  await drawn(page);
+}
+
+/** The text of a download, by the name of its button. @param {Page} page @param {string} name */
+export async function downloadedText(page, name) {
+  const button = page.locator(`#downloads [name=${name}]:not([aria-disabled=true])`);
+  const [saved] = await Promise.all([page.waitForEvent('download'), button.click()]);
+  return readFileSync(await saved.path(), 'utf8');
 }
 
 /** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
