@@ -35,10 +35,11 @@ struct Curvature {
   T p{}, q{}, r{};
   T c[4]{};
   T area{};
+  T christoffel[2][3]{};  ///< [m][ij]: e_m . Y_ij
 };
 
 /// The curvature of a jet, with what its pullback needs. Without kThird, C is left out.
-template <class T, bool kThird>
+template <class T, bool kThird, bool kChristoffel = kThird>
 class CurvatureFrame {
  public:
   explicit CurvatureFrame(const Jet<T>& jet) : jet_(jet) {
@@ -58,6 +59,7 @@ class CurvatureFrame {
     value_.p = form[0];
     value_.q = form[1];
     value_.r = form[2];
+    if constexpr (kChristoffel) christoffel_symbols();
     if constexpr (kThird) covariant_derivative();
   }
 
@@ -65,7 +67,7 @@ class CurvatureFrame {
   const Vec3<T>& normal() const { return normal_; }
 
   /// The adjoint of the jet from the adjoint of its curvature. Without kWithThird, the adjoint of C counts as zero.
-  template <bool kWithThird = kThird>
+  template <bool kWithThird = kThird, bool kWithChristoffel = false>
   Jet<T> pull_back(const Curvature<T>& adjoint) const;
 
   /// II from x = n . X_ij, and the transpose.
@@ -114,20 +116,23 @@ class CurvatureFrame {
     frame.gamma += alpha_ * x[1] * y_adjoint[1] + 2.0 * last * y_adjoint[2];
   }
 
-  void covariant_derivative() {
+  void christoffel_symbols() {
     for (int i = 0; i < 3; ++i) {
       along_first_[0][i] = dot(jet_.first[0], jet_.second[i]);
       along_first_[1][i] = dot(jet_.first[1], jet_.second[i]);
       along_frame_[0][i] = alpha_ * along_first_[0][i];
       along_frame_[1][i] = beta_ * along_first_[0][i] + gamma_ * along_first_[1][i];
     }
-    to_frame(along_frame_[0], christoffel_[0]);
-    to_frame(along_frame_[1], christoffel_[1]);
+    to_frame(along_frame_[0], value_.christoffel[0]);
+    to_frame(along_frame_[1], value_.christoffel[1]);
+  }
+
+  void covariant_derivative() {
     for (int i = 0; i < 4; ++i) third_normal_[i] = dot(normal_, jet_.third[i]);
 
     const T &p = value_.p, &q = value_.q, &r = value_.r;
-    const T(&g1)[3] = christoffel_[0];
-    const T(&g2)[3] = christoffel_[1];
+    const T(&g1)[3] = value_.christoffel[0];
+    const T(&g2)[3] = value_.christoffel[1];
     T c[4];
     third_to_frame(third_normal_, c);
     value_.c[0] = c[0] - 3.0 * (g1[0] * p + g2[0] * q);
@@ -140,31 +145,40 @@ class CurvatureFrame {
   Curvature<T> value_;
   Vec3<T> normal_;
   T f_, alpha_, beta_, gamma_;
-  T along_normal_[3];                        // n . X_ij
-  T along_first_[2][3];                      // X_m . X_ij
-  T along_frame_[2][3], christoffel_[2][3];  // e_m . X_ij and e_m . Y_ij
-  T third_normal_[4];                        // n . X_ijk
+  T along_normal_[3];    // n . X_ij
+  T along_first_[2][3];  // X_m . X_ij
+  T along_frame_[2][3];  // e_m . X_ij
+  T third_normal_[4];    // n . X_ijk
 };
 
-template <class T, bool kThird>
-template <bool kWithThird>
-Jet<T> CurvatureFrame<T, kThird>::pull_back(const Curvature<T>& adjoint) const {
+template <class T, bool kThird, bool kChristoffel>
+template <bool kWithThird, bool kWithChristoffel>
+Jet<T> CurvatureFrame<T, kThird, kChristoffel>::pull_back(const Curvature<T>& adjoint) const {
   Jet<T> jet{};
   FrameAdjoint frame;
   Vec3<T> normal_adjoint{};
   T p = adjoint.p, q = adjoint.q, r = adjoint.r;
+  T christoffel_adjoint[2][3] = {};
+  if constexpr (kWithChristoffel) {
+    for (int m = 0; m < 2; ++m) {
+      for (int i = 0; i < 3; ++i) christoffel_adjoint[m][i] = adjoint.christoffel[m][i];
+    }
+  }
 
   if constexpr (kWithThird) {
     const T(&c)[4] = adjoint.c;
-    const T(&g1)[3] = christoffel_[0];
-    const T(&g2)[3] = christoffel_[1];
+    const T(&g1)[3] = value_.christoffel[0];
+    const T(&g2)[3] = value_.christoffel[1];
     p -= 3.0 * g1[0] * c[0] + 2.0 * g1[1] * c[1] + g1[2] * c[2];
     q -= 3.0 * g2[0] * c[0] + (g1[0] + 2.0 * g2[1]) * c[1] + (2.0 * g1[1] + g2[2]) * c[2] + 3.0 * g1[2] * c[3];
     r -= g2[0] * c[1] + 2.0 * g2[1] * c[2] + 3.0 * g2[2] * c[3];
     const T &vp = value_.p, &vq = value_.q, &vr = value_.r;
-    const T christoffel_adjoint[2][3] = {
-        {-3.0 * vp * c[0] - vq * c[1], -2.0 * (vp * c[1] + vq * c[2]), -vp * c[2] - 3.0 * vq * c[3]},
-        {-3.0 * vq * c[0] - vr * c[1], -2.0 * (vq * c[1] + vr * c[2]), -vq * c[2] - 3.0 * vr * c[3]}};
+    christoffel_adjoint[0][0] -= 3.0 * vp * c[0] + vq * c[1];
+    christoffel_adjoint[0][1] -= 2.0 * (vp * c[1] + vq * c[2]);
+    christoffel_adjoint[0][2] -= vp * c[2] + 3.0 * vq * c[3];
+    christoffel_adjoint[1][0] -= 3.0 * vq * c[0] + vr * c[1];
+    christoffel_adjoint[1][1] -= 2.0 * (vq * c[1] + vr * c[2]);
+    christoffel_adjoint[1][2] -= vq * c[2] + 3.0 * vr * c[3];
 
     const T(&t)[4] = third_normal_;
     const T t01 = beta_ * t[0] + gamma_ * t[1], t12 = beta_ * t[1] + gamma_ * t[2], t23 = beta_ * t[2] + gamma_ * t[3];
@@ -179,7 +193,9 @@ Jet<T> CurvatureFrame<T, kThird>::pull_back(const Curvature<T>& adjoint) const {
       jet.third[i] = normal_ * third_adjoint[i];
       normal_adjoint += jet_.third[i] * third_adjoint[i];
     }
+  }
 
+  if constexpr (kWithThird || kWithChristoffel) {
     T frame_dot_adjoint[2][3];
     pull_back_to_frame(along_frame_[0], christoffel_adjoint[0], frame_dot_adjoint[0], frame);
     pull_back_to_frame(along_frame_[1], christoffel_adjoint[1], frame_dot_adjoint[1], frame);

@@ -123,6 +123,22 @@ T second_form_variation_density(const Curvature<T>& k, const T& scale, Curvature
   return k.c[0] * k.c[0] + k.c[3] * k.c[3] + 3.0 * (k.c[1] * k.c[1] + k.c[2] * k.c[2]);
 }
 
+/// |Gamma|^2, in 1/length^2, with Gamma the Christoffel symbols of the patch's parameters in an orthonormal frame. 0 if
+/// and only if the parameters are affine in geodesic ones, so it grows where patches are stretched or uneven. It does
+/// not depend on the surface's size or on affine changes of the parameters.
+template <class T>
+T parametrization_density(const Curvature<T>& k, const T& scale, Curvature<T>& adjoint) {
+  T sum{};
+  for (int m = 0; m < 2; ++m) {
+    for (int i = 0; i < 3; ++i) {
+      const double count = i == 1 ? 2.0 : 1.0;  // of Gamma_12 and Gamma_21
+      sum += count * (k.christoffel[m][i] * k.christoffel[m][i]);
+      adjoint.christoffel[m][i] += 2.0 * count * (scale * k.christoffel[m][i]);
+    }
+  }
+  return sum;
+}
+
 /// Weighted sum of the densities of third order if kThird, else of second order; `weights` in the order of
 /// `Functional`.
 template <bool kThird, class T>

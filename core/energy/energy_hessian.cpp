@@ -52,11 +52,12 @@ EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& ru
   block_.resize(static_cast<std::size_t>(9) * widest * widest);
 }
 
-void EnergyHessian::move_to(const Points& control, const EnergyValue& value) {
+void EnergyHessian::move_to(const Points& control, const EnergyValue& value, double parametrization) {
   patches_.move_to(control);
   for (int f = 0; f < kFunctionalCount; ++f) {
     integrand_.weights[f] = weights_[f] * (is_third_order(f) ? value.area_factor : 1);
   }
+  integrand_.weights[kParametrization] = parametrization;
   integrand_.third_order = third_order(weights_);
   integrand_.area_factor = integrand_.third_order ? value.area_slope : 0;
 }

@@ -23,8 +23,8 @@ class EnergyHessian {
   EnergyHessian(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights,
                 double umbilic_eta = kUmbilicEta);
 
-  /// Chooses the surface. `value` is its energy.
-  void move_to(const Points& control, const EnergyValue& value);
+  /// Chooses the surface. `value` is its energy, `parametrization` the weight of the parametrization's density.
+  void move_to(const Points& control, const EnergyValue& value, double parametrization = 0);
 
   /// The matrix of a patch of the layout: row-major, 3 columns(set) x 3 columns(set), as EnergyKernels::patch_hessian
   /// leaves it. Valid until the next call.

@@ -12,7 +12,8 @@ namespace umbilic {
 
 /// Integrals of a weighted functional, summed over samples.
 struct EnergySums {
-  double second, third;  ///< weighted integrals of the densities of second and of third order
+  double second, third;    ///< weighted integrals of the densities of second and of third order
+  double parametrization;  ///< weighted integral of its density
   double area;
   double gaussian;  ///< integral of the Gaussian curvature
   double smallest;  ///< smallest area element
@@ -21,14 +22,16 @@ struct EnergySums {
 /// Integrals of each functional, summed over samples; third-order ones without the factor area.
 struct FunctionalSums {
   double functionals[kFunctionalCount];
+  double parametrization;  ///< integral of its density
   double area;
   double gaussian;
 };
 
 struct EnergyKernels {
-  /// Adds the block's integrals of the second-order densities, the third-order ones, or both. `weights` are those of
-  /// the functionals. If the block has adjoints, overwrites them with those of the second-order integral (if
-  /// `second_order`), of the third-order integral and of the area (if `third_order`), in this order.
+  /// Adds the block's integrals of the second-order densities (among them the parametrization's), the third-order
+  /// ones, or both. `weights` are those of the kDensityCount densities. If the block has adjoints, overwrites them with
+  /// those of the second-order integral (if `second_order`), of the third-order integral and of the area (if
+  /// `third_order`), in this order.
   void (*integrate)(const double* weights, bool second_order, bool third_order, const JetBlock& block,
                     EnergySums& sums);
   /// Writes the second derivatives of the patch's integral by coordinate c of point i and e of point j to out[(c *

@@ -8,6 +8,11 @@ namespace umbilic {
 enum Functional { kBending, kWillmore, kMvs, kMvsCross, kMehlumTarrou, kSecondFormVariation };
 inline constexpr int kFunctionalCount = 6;
 
+/// The density of the parametrization (densities.h), which is not a functional: it says how the patches lie on the
+/// surface, not which shape it has. Its weight follows those of the functionals.
+inline constexpr int kParametrization = kFunctionalCount;
+inline constexpr int kDensityCount = kFunctionalCount + 1;
+
 /// Third-order functionals integrate squared curvature derivatives and carry the factor area.
 constexpr bool is_third_order(int functional) { return functional >= kMvs; }
 

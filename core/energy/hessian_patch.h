@@ -9,9 +9,9 @@ namespace umbilic {
 
 /// f = weight (rho + area_factor) |X_u x X_v|, with rho the weighted sum of densities.
 struct WeightedIntegrand {
-  double weights[kFunctionalCount];  ///< of each density
-  bool third_order;                  ///< whether densities of third order have a weight
-  double area_factor;                ///< multiplies the area element
+  double weights[kDensityCount];  ///< of each density
+  bool third_order;               ///< whether densities of third order have a weight
+  double area_factor;             ///< multiplies the area element
   double umbilic_eta = kUmbilicEta;
 };
 

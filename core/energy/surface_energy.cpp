@@ -3,6 +3,7 @@
 /// Sums blocks of jets, and applies the product rule to area * third.
 #include "energy/surface_energy.h"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -18,20 +19,24 @@ SurfaceEnergy::SurfaceEnergy(const JetEvaluator& jets, const Weights& weights, s
       second_order_(weights[kBending] != 0 || weights[kWillmore] != 0),
       third_order_(umbilic::third_order(weights)) {}
 
-EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, bool gradient,
+EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, double parametrization, bool gradient,
                                              std::vector<Points>& gradients) const {
+  std::array<double, kDensityCount> densities{};
+  std::copy(weights_.begin(), weights_.end(), densities.begin());
+  densities[kParametrization] = parametrization;
+  const bool second_order = second_order_ || parametrization != 0;
   AdjointChannel channels[3];
   std::size_t count = 0;
-  if (gradient && second_order_) channels[count++] = {kSecondOrderCount};
+  if (gradient && second_order) channels[count++] = {kSecondOrderCount};
   if (gradient && third_order_) {
     channels[count++] = {kThirdOrderCount};
     channels[count++] = {kFirstOrderCount};
   }
 
-  EnergySums sums{0, 0, 0, 0, std::numeric_limits<double>::infinity()};
+  EnergySums sums{0, 0, 0, 0, 0, std::numeric_limits<double>::infinity()};
   const EnergyKernels& kernels = energy_kernels();
   const auto visit = [&](const JetBlock& block) {
-    kernels.integrate(weights_.data(), second_order_, third_order_, block, sums);
+    kernels.integrate(densities.data(), second_order, third_order_, block, sums);
   };
   jets_.evaluate(control, third_order_ ? kThirdOrderCount : kSecondOrderCount, {channels, count}, std::ref(visit),
                  gradients);
@@ -39,6 +44,7 @@ EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, bool gradien
   EnergyValue value;
   value.second = sums.second;
   value.third = sums.third;
+  value.parametrization = sums.parametrization;
   value.area = sums.area;
   value.gaussian = sums.gaussian;
   value.area_factor = fixed_area_.value_or(value.area);
@@ -48,13 +54,14 @@ EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, bool gradien
   return value;
 }
 
-EnergyValue SurfaceEnergy::evaluate(const Points& control, Points* gradient) const {
+EnergyValue SurfaceEnergy::evaluate(const Points& control, Points* gradient, double parametrization) const {
   std::vector<Points> none;
-  const EnergyValue value = evaluate_channels(control, gradient != nullptr, gradient ? gradients_ : none);
+  const EnergyValue value =
+      evaluate_channels(control, parametrization, gradient != nullptr, gradient ? gradients_ : none);
   if (gradient) {
     *gradient = gradients_.front();
     if (third_order_) {
-      const std::size_t third = second_order_ ? 1 : 0;
+      const std::size_t third = second_order_ || parametrization != 0 ? 1 : 0;
       if (third == 1) {
         *gradient += value.area_factor * gradients_[1];
       } else {
@@ -68,7 +75,7 @@ EnergyValue SurfaceEnergy::evaluate(const Points& control, Points* gradient) con
 
 EnergyValue SurfaceEnergy::evaluate_factors(const Points& control, Points& third, Points& area) const {
   std::vector<Points> gradients;
-  const EnergyValue value = evaluate_channels(control, true, gradients);
+  const EnergyValue value = evaluate_channels(control, 0, true, gradients);
   area = std::move(gradients.back());
   third = std::move(gradients[gradients.size() - 2]);
   return value;
@@ -83,6 +90,7 @@ SurfaceIntegrals surface_integrals(const JetEvaluator& jets, const Points& contr
 
   SurfaceIntegrals result;
   result.area = sums.area;
+  result.parametrization = sums.parametrization;
   result.gaussian = sums.gaussian;
   for (int i = 0; i < kFunctionalCount; ++i) {
     result.functionals[i] = sums.functionals[i] * (is_third_order(i) ? result.area : 1);

@@ -13,9 +13,10 @@
 namespace umbilic {
 
 struct EnergyValue {
-  double energy = 0;  ///< second + area_factor * third
-  double second = 0;  ///< weighted integral of the second-order densities
-  double third = 0;   ///< weighted integral of the third-order densities, without the factor area
+  double energy = 0;           ///< second + area_factor * third
+  double second = 0;           ///< weighted integral of the second-order densities
+  double parametrization = 0;  ///< weighted integral of the parametrization's density, which `energy` leaves out
+  double third = 0;            ///< weighted integral of the third-order densities, without the factor area
   double area = 0;
   double area_factor = 0;  ///< the area, or the constant that replaces it
   double area_slope = 0;   ///< derivative of the energy by the area: `third`, or 0 if the factor is a constant
@@ -32,8 +33,9 @@ class SurfaceEnergy {
   /// smaller.
   SurfaceEnergy(const JetEvaluator& jets, const Weights& weights, std::optional<double> fixed_area = {});
 
-  /// The result is not finite if the surface is not regular. `gradient`, if given, is control_count x 3.
-  EnergyValue evaluate(const Points& control, Points* gradient) const;
+  /// `parametrization` is the weight of the parametrization's density (densities.h); the gradient is that of the energy
+  /// plus its term. The result is not finite if the surface is not regular. `gradient`, if given, is control_count x 3.
+  EnergyValue evaluate(const Points& control, Points* gradient, double parametrization = 0) const;
 
   /// Also gives the gradients of `EnergyValue::third` and `area`, control_count x 3. The energy must contain their
   /// product.
@@ -47,7 +49,8 @@ class SurfaceEnergy {
   bool has_area_product() const { return third_order_ && !fixed_area_; }
 
  private:
-  EnergyValue evaluate_channels(const Points& control, bool gradient, std::vector<Points>& gradients) const;
+  EnergyValue evaluate_channels(const Points& control, double parametrization, bool gradient,
+                                std::vector<Points>& gradients) const;
 
   const JetEvaluator& jets_;
   Weights weights_;
@@ -58,6 +61,7 @@ class SurfaceEnergy {
 
 struct SurfaceIntegrals {
   std::array<double, kFunctionalCount> functionals{};  ///< third-order ones include the factor area
+  double parametrization = 0;                          ///< integral of the parametrization's density
   double area = 0;
   double gaussian = 0;  ///< integral of the Gaussian curvature
 };

@@ -33,8 +33,9 @@ double HessianAssembly::progress() const {
   return stage_ == Stage::kFactors ? 0 : static_cast<double>(patches_done_) / jets_.layout().patch_count();
 }
 
-void HessianAssembly::begin(const Points& control) {
+void HessianAssembly::begin(const Points& control, double parametrization) {
   control_ = control;
+  parametrization_ = parametrization;
   stage_ = Stage::kFactors;
 }
 
@@ -50,7 +51,7 @@ bool HessianAssembly::advance() {
       } else {
         value = energy_.evaluate(control_, nullptr);
       }
-      hessian_.move_to(control_, value);
+      hessian_.move_to(control_, value, parametrization_);
       sobolev_.move_to(control_, value.area_factor);
       assembly_.clear(hessian_sums_);
       assembly_.clear(sobolev_sums_);

@@ -27,8 +27,9 @@ class HessianAssembly {
                   const QuadratureRule& rule, double umbilic_eta = kUmbilicEta, std::optional<double> fixed_area = {},
                   const ClosenessTerm* closeness = nullptr);
 
-  /// Begins to assemble the matrices at a surface with these control points.
-  void begin(const Points& control);
+  /// Begins to assemble the matrices at a surface with these control points. `parametrization` is the weight of its
+  /// density (energy/densities.h).
+  void begin(const Points& control, double parametrization = 0);
   /// Does about as much work as one energy evaluation. Returns whether the matrices are ready.
   bool advance();
 
@@ -51,6 +52,7 @@ class HessianAssembly {
   enum class Stage { kFactors, kPatches, kReduce, kReady };
   Stage stage_ = Stage::kFactors;
   Points control_;
+  double parametrization_ = 0;
   PatchCursor cursor_;
   int patches_done_ = 0;
   const ClosenessTerm* closeness_;

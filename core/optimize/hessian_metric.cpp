@@ -21,9 +21,9 @@ HessianMetric::HessianMetric(const PatchLayout& layout, const Unknowns& unknowns
       factor_(newton ? SparseCholesky::Pivots::kNonzero : SparseCholesky::Pivots::kPositive),
       mu_(kStartMu) {}
 
-void HessianMetric::begin(const Points& control) {
-  assembly_.begin(control);
-  assembled_ = factoring_ = ready_ = rose_ = false;
+void HessianMetric::begin(const Points& control, double parametrization) {
+  assembly_.begin(control, parametrization);
+  assembled_ = factoring_ = ready_ = rose_ = positive_ = must_be_positive_ = false;
   if (!newton_) {
     mu_ /= fall_;
   } else if (latest_gain_ > kGoodGain) {
@@ -38,12 +38,21 @@ void HessianMetric::begin(const Points& control) {
 
 void HessianMetric::settle() {
   assert(ready_);
-  factoring_ = ready_ = rose_ = false;
+  factoring_ = ready_ = rose_ = positive_ = false;
   mu_ = std::min(mu_, kSettledMu);
   settled_ = true;
 }
 
-bool HessianMetric::predicts() const { return mu_ < kUninformativeMu; }
+bool HessianMetric::positive() const { return !positive_ || absolute_.complete(); }  // else it is the identity
+
+void HessianMetric::make_positive() {
+  assert(ready_);
+  factoring_ = ready_ = positive_ = false;
+  must_be_positive_ = true;
+  mu_ *= kMuFactor;
+}
+
+bool HessianMetric::predicts() const { return mu_ < kUninformativeMu && absolute_.complete(); }
 
 bool HessianMetric::advance() {
   if (!assembled_) {
@@ -57,26 +66,30 @@ bool HessianMetric::advance() {
   return ready_;
 }
 
-/// Whether the factors are those of a metric, or of one after a few eigenvalues are replaced.
-bool HessianMetric::factored() const {
-  return factor_.succeeded() && (!newton_ || factor_.negative() <= kMostNegative);
+/// Whether what is factored is positive definite, or becomes so where a few eigenvalues are replaced.
+bool HessianMetric::replace_negative() {
+  absolute_ = {};
+  if (!factor_.succeeded()) return false;
+  if (!newton_) return true;
+  if (factor_.negative() > kMostNegative) return false;
+  absolute_ = AbsoluteInverse(factor_, assembly_.combine(0, 1), mu_);
+  return absolute_.complete() || !must_be_positive_;
 }
 
 void HessianMetric::end_factoring() {
-  ready_ = factored() || mu_ >= kLargestMu;
+  positive_ = replace_negative();
+  ready_ = positive_ || mu_ >= kLargestMu;
   if (!ready_) {
     mu_ *= kMuFactor;
     rose_ = settled_ = true;
     return;
   }
   fall_ = rose_ ? kMuFactor : std::min(fall_ * kMuFactor, kLargestMuFall);
-  if (!factored()) return;
-  absolute_ = newton_ ? AbsoluteInverse(factor_, assembly_.combine(0, 1), mu_) : AbsoluteInverse();
-  if (scaling_) fixed_size_.set(size_gradient_, solve_freely(size_gradient_));
+  if (positive_ && scaling_) fixed_size_.set(size_gradient_, solve_freely(size_gradient_));
 }
 
 Eigen::VectorXd HessianMetric::solve(const Eigen::VectorXd& gradient) const {
-  if (!factored()) return gradient;  // too irregular a surface: use the identity
+  if (!positive_) return gradient;  // too irregular a surface: use the identity
   return fixed_size_.project(solve_freely(gradient));
 }
 

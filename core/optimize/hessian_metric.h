@@ -29,7 +29,9 @@ namespace umbilic {
 /// Newton's metric replaces up to kMostNegative negative eigenvalues by their absolute values instead
 /// (solve/absolute_inverse.h), so that mu need not be as large as the most negative one. A few such eigenvalues are
 /// usual: without symmetry a surface has many soft directions, those of its parametrization above all, and mu would
-/// damp them all. mu then measures how far the Hessian is trusted, by the latest decreases, as in a trust region.
+/// damp them all. Where the search for them misses one, the metric may fail to be positive definite; that is mended by
+/// a larger mu if the optimizer finds no way down. mu then measures how far the Hessian is trusted, by the latest
+/// decreases, as in a trust region.
 class HessianMetric : public SurfaceMetric {
  public:
   /// `layout` and `unknowns` must outlive the metric; `fixed_area` as in SurfaceEnergy, `closeness` as in
@@ -38,13 +40,15 @@ class HessianMetric : public SurfaceMetric {
                 const Gauge& gauge = {}, std::optional<double> fixed_area = {},
                 const ClosenessTerm* closeness = nullptr, bool newton = false);
 
-  void begin(const Points& control) override;
+  void begin(const Points& control, double parametrization = 0) override;
   bool advance() override;
   bool knows_hessian() const override { return true; }
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
   /// Whether mu is small, or had to grow.
   bool settled() const override { return settled_; }
   void settle() override;
+  bool positive() const override;
+  void make_positive() override;
   /// Whether mu is small enough that the Hessian, not the Sobolev product, dominates the metric.
   bool predicts() const override;
   void gained(double part) override { latest_gain_ = part; }
@@ -55,7 +59,7 @@ class HessianMetric : public SurfaceMetric {
 
  private:
   void end_factoring();
-  bool factored() const;
+  bool replace_negative();
   Eigen::VectorXd solve_freely(const Eigen::VectorXd& gradient) const { return absolute_.solve(factor_, gradient); }
 
   const Unknowns& unknowns_;
@@ -65,7 +69,8 @@ class HessianMetric : public SurfaceMetric {
   SparseCholesky factor_;
   AbsoluteInverse absolute_;
   double latest_gain_ = 1;
-  bool assembled_ = false, factoring_ = false, ready_ = false, settled_ = false, rose_ = false;
+  bool assembled_ = false, positive_ = false, must_be_positive_ = false, factoring_ = false, ready_ = false,
+       settled_ = false, rose_ = false;
   double mu_, fall_ = 1;
   Eigen::VectorXd size_gradient_;  ///< a
   TangentProjection fixed_size_;

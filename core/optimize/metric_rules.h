@@ -20,7 +20,7 @@ inline constexpr double kLargestMuFall = 1e3;
 /// Newton's metric: most negative eigenvalues of H + mu S that are replaced one by one, each of which costs a few
 /// solutions with the factored matrix. mu falls by kMuFactor after a decrease of more than kGoodGain of the predicted
 /// one, and rises by kMuRise after one of less than kPoorGain.
-inline constexpr int kMostNegative = 30;
+inline constexpr int kMostNegative = 12;
 inline constexpr double kMuRise = 4;
 inline constexpr double kGoodGain = 0.75, kPoorGain = 0.25;
 /// A Sobolev term with so small a factor hides no decrease that matters.

@@ -18,7 +18,7 @@ SobolevMetric::SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknow
       assembly_(energy.layout(), unknowns.coordinates(), scalar_),
       form_(energy.layout(), energy.weights()) {}
 
-void SobolevMetric::begin(const Points& control) {
+void SobolevMetric::begin(const Points& control, double) {
   control_ = control;
   stage_ = Stage::kArea;
 }

@@ -26,7 +26,7 @@ class SobolevMetric : public SurfaceMetric {
   SobolevMetric(const SurfaceEnergy& energy, const Unknowns& unknowns, const Gauge& gauge = {},
                 const ClosenessTerm* closeness = nullptr);
 
-  void begin(const Points& control) override;
+  void begin(const Points& control, double parametrization = 0) override;
   bool advance() override;
   bool knows_hessian() const override { return false; }
   bool settled() const override { return true; }

@@ -10,8 +10,9 @@ namespace umbilic {
 
 class SurfaceMetric : public Metric {
  public:
-  /// Begins to build the metric at a surface with these control points.
-  virtual void begin(const Points& control) = 0;
+  /// Begins to build the metric at a surface with these control points. `parametrization` is the weight of its density
+  /// (energy/densities.h).
+  virtual void begin(const Points& control, double parametrization) = 0;
   /// Does about as much work as one energy evaluation. Returns whether the metric is ready.
   virtual bool advance() = 0;
   /// Whether the metric is better than the curvature pairs collected before it was built, which may then be dropped.
@@ -21,6 +22,10 @@ class SurfaceMetric : public Metric {
   /// Begins to improve a ready metric until it is `settled`, at a surface where the optimizer has converged; continue
   /// with `advance`. Reuses the assembled matrices, so it costs much less than a new metric.
   virtual void settle() = 0;
+  /// Whether it is positive definite for certain.
+  virtual bool positive() const { return true; }
+  /// Begins to make a ready metric that is not `positive` so, at the cost of its accuracy; continue with `advance`.
+  virtual void make_positive() {}
   /// The decrease in the latest iteration, divided by what the metric had predicted, for metrics that trust themselves
   /// by it.
   virtual void gained(double part) = 0;

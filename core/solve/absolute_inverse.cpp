@@ -63,6 +63,7 @@ AbsoluteInverse::AbsoluteInverse(const SparseCholesky& factor, const Eigen::Spar
   const int size = static_cast<int>(product.rows());
   const KrylovSpace space = krylov_space(factor, product, std::min(size, kStepsPerEigenvalue * negative + kMoreSteps));
   const SymmetricEigen eigen = symmetric_eigen(space.matrix);
+  complete_ = (eigen.values.array() < 0).count() == negative;
   std::vector<Eigen::Index> replaced;
   for (Eigen::Index i = 0; i < eigen.values.size(); ++i) {
     if (eigen.values[i] < 0 || eigen.values[i] > 1 / shift) replaced.push_back(i);

@@ -24,12 +24,16 @@ class AbsoluteInverse {
   /// `factor` has factored H + shift S; `product` is the lower triangle of S, which is positive definite; shift > 0.
   AbsoluteInverse(const SparseCholesky& factor, const Eigen::SparseMatrix<double>& product, double shift);
 
+  /// Whether all negative eigenvalues of the factored matrix were found. Otherwise M may not be positive definite.
+  bool complete() const { return complete_; }
+
   /// With the same factor.
   Eigen::VectorXd solve(const SparseCholesky& factor, const Eigen::VectorXd& right) const;
   /// Number of eigenvalues that were replaced.
   int replaced() const { return static_cast<int>(vectors_.cols()); }
 
  private:
+  bool complete_ = true;
   Eigen::MatrixXd vectors_;      // the v with lambda < 0
   Eigen::VectorXd corrections_;  // 1 / (|lambda| + shift) - theta
 };

@@ -19,9 +19,6 @@ constexpr double kRelativeRoundOff = 1e-13;
 /// reason.
 constexpr double kStalledByRoundOff = 1e3;
 
-/// If the quadratic model predicts less than this fraction of the tolerance, it is believed without the trend.
-constexpr double kModelAlone = 1e-3;
-
 /// A pair is kept only if the cosine of s and y is larger: below, rounding decides its sign.
 constexpr double kLeastCurvature = 1e-12;
 
@@ -78,10 +75,28 @@ bool Lbfgs::step() {
 }
 
 void Lbfgs::resume(double tolerance) {
-  assert(stop_ == StopReason::kConverged);
+  assert(stop_ == StopReason::kConverged || stop_ == StopReason::kRoundOff || stop_ == StopReason::kLineSearchStalled);
   options_.tolerance = tolerance;
   stop_.reset();
+  search_.reset();
   pairs_.clear();
+  restarted_ = false;
+  recent_values_.assign(1, value_);
+}
+
+void Lbfgs::restart(double tolerance, double model_alone) {
+  options_.tolerance = tolerance;
+  options_.model_alone = model_alone;
+  stop_.reset();
+  search_.reset();
+  pairs_.clear();
+  restarted_ = false;
+  latest_gain_ = 1;
+  unknowns_ = best_;
+  best_value_ = std::numeric_limits<double>::quiet_NaN();
+  evaluate(unknowns_);
+  value_ = trial_.value;
+  gradient_ = trial_.gradient;
   recent_values_.assign(1, value_);
 }
 
@@ -124,7 +139,7 @@ void Lbfgs::begin_iteration() {
   const double threshold = options_.tolerance * std::max(value_, options_.floor);
   const bool has_trend = static_cast<int>(recent_values_.size()) > 2 * options_.trend;
   predicted_ = has_trend ? std::max(model, trend()) : model;
-  const bool model_alone = metric_->predicts() && model <= kModelAlone * threshold;
+  const bool model_alone = metric_->predicts() && model <= options_.model_alone * threshold;
   if (model_alone || (has_trend && predicted_ <= threshold)) {
     stop_ = StopReason::kConverged;
   } else if (!(slope < 0) || model <= kRelativeRoundOff * std::abs(value_)) {

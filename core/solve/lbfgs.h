@@ -20,6 +20,8 @@ struct LbfgsOptions {
   double tolerance =
       1e-6;          ///< >= 0: converged when the decrease still predicted is at most tolerance * max(value, floor)
   double floor = 0;  ///< >= 0, in units of the objective
+  /// >= 0: the quadratic model is believed without the trend if it predicts less than this fraction of the tolerance.
+  double model_alone = 1e-3;
   double max_displacement = 1e300;  ///< > 0: largest change of an unknown in the first trial of a step
   int trend = 10;  ///< > 0: length in iterations of each of the two spans whose decreases are extrapolated
 };
@@ -28,8 +30,8 @@ struct LbfgsOptions {
 ///
 /// Converges when the decrease still predicted is within the tolerance. The prediction is the larger of two: that of
 /// the quadratic model, g . H g / 2, and that of the trend, which extrapolates the decreases of the last two spans of
-/// iterations as a geometric sequence. If the model's prediction is far below the tolerance and the metric `predicts`,
-/// the model alone decides.
+/// iterations as a geometric sequence. If the model's prediction is far enough below the tolerance (`model_alone`) and
+/// the metric `predicts`, the model alone decides.
 class Lbfgs {
  public:
   /// `objective` and `metric` must outlive the optimizer.
@@ -38,8 +40,12 @@ class Lbfgs {
   /// Evaluates the objective once. Returns whether the optimizer has ended; further calls then do nothing.
   bool step();
 
-  /// Continues after convergence with a better metric or a smaller tolerance. Forgets all curvature pairs.
+  /// Continues, after it has converged or found no way down, with a better metric or a smaller tolerance. Forgets all
+  /// curvature pairs.
   void resume(double tolerance);
+
+  /// Continues from the best point with an objective that has changed, whose value there it evaluates.
+  void restart(double tolerance, double model_alone);
 
   bool ended() const { return stop_.has_value(); }
   StopReason stop() const { return *stop_; }

@@ -14,7 +14,7 @@ namespace {
 /// Sums over the samples, one per lane.
 template <class L>
 struct LaneSums {
-  L second{}, third{}, area{}, gaussian{}, smallest;
+  L second{}, third{}, parametrization{}, area{}, gaussian{}, smallest;
 
   explicit LaneSums(double least) : smallest(splat<L>(least)) {}
 
@@ -28,6 +28,7 @@ struct LaneSums {
   void add_to(EnergySums& sums) const {
     sums.second += sum_lanes(second);
     sums.third += sum_lanes(third);
+    sums.parametrization += sum_lanes(parametrization);
     sums.area += sum_lanes(area);
     sums.gaussian += sum_lanes(gaussian);
     sums.smallest = least_lane(smallest);
@@ -45,22 +46,29 @@ L integrand(const double* weights, const Curvature<L>& k, const L& weight, Curva
 
 /// The samples [s, s + lanes) of patch p. One long function, because passing lanes to functions would go through
 /// memory.
-template <bool kSecond, bool kThird, class L>
+template <bool kSecond, bool kThird, bool kChristoffel, class L>
 [[gnu::flatten]] inline void integrate_samples(const double* weights, const JetBlock& block, int p, int s,
                                                const L& weight, LaneSums<L>& sums) {
   constexpr int kSecondChannel = 0, kThirdChannel = kSecond ? 1 : 0, kAreaChannel = kThirdChannel + 1;
   const int samples = block.samples, derivatives = block.derivatives;
   const std::size_t at = static_cast<std::size_t>(3) * samples * p;
   const Jet<L> jet = load_jet<kThird, L>(block.jets + at * derivatives + s, samples, derivatives);
-  const CurvatureFrame<L, kThird> frame(jet);
+  const CurvatureFrame<L, kThird, kThird || kChristoffel> frame(jet);
   const Curvature<L>& k = frame.value();
   sums.add_shape(weight, k);
   if constexpr (kSecond) {
     Curvature<L> adjoint{};
     sums.second += integrand<false>(weights, k, weight, adjoint);
+    if constexpr (kChristoffel) {
+      const double parametrization = weights[kParametrization];
+      const L measure = weight * k.area;
+      const L density = parametrization * parametrization_density(k, measure * parametrization, adjoint);
+      sums.parametrization += measure * density;
+      adjoint.area += weight * density;
+    }
     if (block.adjoints) {
       store_jet<false>(block.adjoints[kSecondChannel] + at * kSecondOrderCount + s, samples,
-                       frame.template pull_back<false>(adjoint));
+                       frame.template pull_back<false, kChristoffel>(adjoint));
     }
   }
   if constexpr (kThird) {
@@ -76,7 +84,7 @@ template <bool kSecond, bool kThird, class L>
   }
 }
 
-template <bool kSecond, bool kThird>
+template <bool kSecond, bool kThird, bool kChristoffel>
 void integrate_block(const double* weights, const JetBlock& block, EnergySums& sums) {
   LaneSums<Lanes> wide(sums.smallest);
   LaneSums<ShortLanes> rest(sums.smallest);
@@ -85,12 +93,12 @@ void integrate_block(const double* weights, const JetBlock& block, EnergySums& s
     int s = 0;
     for (; s + kLaneCount <= block.samples; s += kLaneCount) {
       const Lanes weight = multiplicity * load_lanes(block.weights + s);
-      integrate_samples<kSecond, kThird>(weights, block, p, s, weight, wide);
+      integrate_samples<kSecond, kThird, kChristoffel>(weights, block, p, s, weight, wide);
     }
     if constexpr (kShortLaneCount < kLaneCount) {
       for (; s < block.samples; s += kShortLaneCount) {
         const ShortLanes weight = multiplicity * load_lanes<ShortLanes>(block.weights + s);
-        integrate_samples<kSecond, kThird>(weights, block, p, s, weight, rest);
+        integrate_samples<kSecond, kThird, kChristoffel>(weights, block, p, s, weight, rest);
       }
     }
   }
@@ -103,7 +111,7 @@ void integrate_block(const double* weights, const JetBlock& block, EnergySums& s
 
 template <class L>
 struct LaneFunctionals {
-  L functionals[kFunctionalCount] = {}, area{}, gaussian{};
+  L functionals[kFunctionalCount] = {}, parametrization{}, area{}, gaussian{};
 
   [[gnu::flatten]] void add(const Jet<L>& jet, const L& weight) {
     const CurvatureFrame<L, true> frame(jet);
@@ -117,12 +125,14 @@ struct LaneFunctionals {
     functionals[kMvsCross] += measure * mvs_cross_density(k, angle, none, unused);
     functionals[kMehlumTarrou] += measure * mehlum_tarrou_density(k, none, unused);
     functionals[kSecondFormVariation] += measure * second_form_variation_density(k, none, unused);
+    parametrization += measure * parametrization_density(k, none, unused);
     area += measure;
     gaussian += measure * (k.p * k.r - k.q * k.q);
   }
 
   void add_to(FunctionalSums& sums) const {
     for (int i = 0; i < kFunctionalCount; ++i) sums.functionals[i] += sum_lanes(functionals[i]);
+    sums.parametrization += sum_lanes(parametrization);
     sums.area += sum_lanes(area);
     sums.gaussian += sum_lanes(gaussian);
   }
@@ -131,12 +141,15 @@ struct LaneFunctionals {
 }  // namespace
 
 void integrate(const double* weights, bool second_order, bool third_order, const JetBlock& block, EnergySums& sums) {
-  if (!third_order) {
-    integrate_block<true, false>(weights, block, sums);
-  } else if (!second_order) {
-    integrate_block<false, true>(weights, block, sums);
+  const bool christoffel = weights[kParametrization] != 0;
+  if (!second_order) {
+    integrate_block<false, true, false>(weights, block, sums);
+  } else if (third_order) {
+    christoffel ? integrate_block<true, true, true>(weights, block, sums)
+                : integrate_block<true, true, false>(weights, block, sums);
   } else {
-    integrate_block<true, true>(weights, block, sums);
+    christoffel ? integrate_block<true, false, true>(weights, block, sums)
+                : integrate_block<true, false, false>(weights, block, sums);
   }
 }
 

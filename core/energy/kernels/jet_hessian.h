@@ -16,31 +16,35 @@
 namespace umbilic::UMBILIC_KERNELS {
 
 /// The gradient of f.
-template <bool kThird, class T>
+template <bool kThird, bool kChristoffel, class T>
 Jet<T> integrand_gradient(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight) {
-  const CurvatureFrame<T, kThird> frame(jet);
+  const CurvatureFrame<T, kThird, kThird || kChristoffel> frame(jet);
   const Curvature<T>& k = frame.value();
   Curvature<T> adjoint{};
   const T measure = weight * k.area;
   T density = weighted_density<false>(f.weights, k, measure, adjoint);
   if constexpr (kThird) density += weighted_density<true>(f.weights, k, measure, adjoint, f.umbilic_eta);
+  if constexpr (kChristoffel) {
+    const double parametrization = f.weights[kParametrization];
+    density += parametrization * parametrization_density(k, measure * parametrization, adjoint);
+  }
   adjoint.area = weight * (density + f.area_factor);
-  return frame.pull_back(adjoint);
+  return frame.template pull_back<kThird, kChristoffel>(adjoint);
 }
 
 /// Entry (i, j) with i and j counting c * derivatives + d, where d = 0 is X_u and derivatives = kThird ? 9 : 5.
-template <bool kThird, class T>
+template <bool kThird, bool kChristoffel, class T>
 class JetHessian {
  public:
   static constexpr int kDerivatives = kThird ? kThirdOrderCount : kSecondOrderCount;
   static constexpr int kSize = 3 * kDerivatives;
 
   JetHessian(const WeightedIntegrand& f, const Jet<T>& jet, const T& weight) {
-    constexpr int kDirections = kThird ? kSecondOrderCount : kFirstOrderCount;
+    constexpr int kDirections = kThird || kChristoffel ? kSecondOrderCount : kFirstOrderCount;
     for (int d = 0; d < kDirections; ++d) along_derivative(f, jet, weight, d);
     if constexpr (kThird) {
       along_third(f, jet, weight);
-    } else {
+    } else if constexpr (!kChristoffel) {
       along_second(f, jet, weight);
     }
   }
@@ -64,7 +68,7 @@ class JetHessian {
     direction.x.tangent[0] += 1.0;
     direction.y.tangent[1] += 1.0;
     direction.z.tangent[2] += 1.0;
-    const Jet<Number> gradient = integrand_gradient<kThird>(f, moved, Number(weight));
+    const Jet<Number> gradient = integrand_gradient<kThird, kChristoffel>(f, moved, Number(weight));
     const auto store = [&](int row, const Vec3<Number>& v) {
       for (int c = 0; c < 3; ++c) {
         const T entries[3] = {v.x.tangent[c], v.y.tangent[c], v.z.tangent[c]};

@@ -48,13 +48,13 @@ void pack(const Part& part, const double* basis, const HessianPatch& patch, doub
 }
 
 /// The Hessians of the jets at the part's samples: entry (d, e) for each pair of coordinates, [pair][d][e][s].
-template <bool kThird>
+template <bool kThird, bool kChristoffel>
 void jet_hessians(const Part& part, const HessianPatch& patch, const WeightedIntegrand& f, double* hessians) {
   constexpr int kDerivatives = kThird ? kThirdOrderCount : kSecondOrderCount;
   for (int s = 0; s < part.count; s += kShortLaneCount) {
     const double* jets = patch.jets + part.begin + s;
     const Jet<L> jet = load_jet<kThird, L>(jets, patch.samples, kDerivatives);
-    const JetHessian<kThird, L> hessian(f, jet, load_lanes<L>(patch.weights + part.begin + s));
+    const JetHessian<kThird, kChristoffel, L> hessian(f, jet, load_lanes<L>(patch.weights + part.begin + s));
     double* to = hessians + s;
     for (int pair = 0; pair < kPairs; ++pair) {
       for (int d = 0; d < kDerivatives; ++d) {
@@ -140,7 +140,7 @@ double* aligned(double* scratch) {
   return scratch + (sizeof(Lanes) - address % sizeof(Lanes)) % sizeof(Lanes) / sizeof(double);
 }
 
-template <bool kThird>
+template <bool kThird, bool kChristoffel>
 void contract(const HessianPatch& patch, const WeightedIntegrand& f, double* scratch, double* out) {
   constexpr int kDerivatives = kThird ? kThirdOrderCount : kSecondOrderCount;
   constexpr int kAtATime = kThird ? HessianPatch::kThirdOrderSamplesAtATime : HessianPatch::kSamplesAtATime;
@@ -157,7 +157,7 @@ void contract(const HessianPatch& patch, const WeightedIntegrand& f, double* scr
     const int per_pair = kDerivatives * kDerivatives * part.count;
     double* packed[3] = {hessians + kPairs * per_pair, nullptr, nullptr};
     double* products = packed[0] + 2 * columns * part.stride;
-    jet_hessians<kThird>(part, patch, f, hessians);
+    jet_hessians<kThird, kChristoffel>(part, patch, f, hessians);
     pack<kDerivatives>(part, patch.basis[0], patch, packed[0]);
     for (int c = 1; c < 3; ++c) {
       packed[c] = packed[0];
@@ -180,7 +180,12 @@ void contract(const HessianPatch& patch, const WeightedIntegrand& f, double* scr
 }  // namespace
 
 void patch_hessian(const HessianPatch& patch, const WeightedIntegrand& f, double* scratch, double* out) {
-  f.third_order ? contract<true>(patch, f, scratch, out) : contract<false>(patch, f, scratch, out);
+  const bool christoffel = f.weights[kParametrization] != 0;
+  if (f.third_order) {
+    christoffel ? contract<true, true>(patch, f, scratch, out) : contract<true, false>(patch, f, scratch, out);
+  } else {
+    christoffel ? contract<false, true>(patch, f, scratch, out) : contract<false, false>(patch, f, scratch, out);
+  }
 }
 
 }  // namespace umbilic::UMBILIC_KERNELS

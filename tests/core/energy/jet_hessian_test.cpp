@@ -24,13 +24,16 @@ std::vector<WeightedIntegrand> integrands() {
   }
   all.push_back({{0.5, 0.25, 0.1, 0.2, 0.3, 0.4}, true, 2});
   all.push_back({{0.5, 0.25, 0, 0, 0, 0}, false, 0});
+  all.push_back({{0.5, 0, 0, 0.2, 0, 0, 0.6}, true, 2});  // with the parametrization's density
+  all.push_back({{0.5, 0.25, 0, 0, 0, 0, 0.6}, false, 0.1});
+  all.push_back({{0, 0, 0, 0, 0, 0, 1}, false, 0});
   return all;
 }
 
-template <bool kThird>
+template <bool kThird, bool kChristoffel = false>
 Eigen::MatrixXd hessian(const WeightedIntegrand& f, const Jet<double>& jet) {
-  const JetHessian<kThird, double> hessian(f, jet, kWeight);
-  constexpr int kSize = JetHessian<kThird, double>::kSize;
+  const JetHessian<kThird, kChristoffel, double> hessian(f, jet, kWeight);
+  constexpr int kSize = JetHessian<kThird, kChristoffel, double>::kSize;
   Eigen::MatrixXd matrix(kSize, kSize);
   for (int i = 0; i < kSize; ++i) {
     for (int j = 0; j < kSize; ++j) matrix(i, j) = hessian(i, j);
@@ -39,16 +42,16 @@ Eigen::MatrixXd hessian(const WeightedIntegrand& f, const Jet<double>& jet) {
 }
 
 /// The i-th column by dual numbers of one tangent through all nine vectors, which knows of no shortcut.
-template <bool kThird>
+template <bool kThird, bool kChristoffel>
 Eigen::VectorXd column(const WeightedIntegrand& f, Jet<double> jet, int i) {
-  constexpr int kDerivatives = JetHessian<kThird, double>::kDerivatives;
+  constexpr int kDerivatives = JetHessian<kThird, kChristoffel, double>::kDerivatives;
   Jet<Dual> moved;
   const auto from = vectors(jet);
   const auto to = vectors(moved);
   for (int d = 0; d < 9; ++d) *to[d] = {Dual(from[d]->x), Dual(from[d]->y), Dual(from[d]->z)};
   Vec3<Dual>& direction = *to[i % kDerivatives];
   (i / kDerivatives == 0 ? direction.x : i / kDerivatives == 1 ? direction.y : direction.z).dx = 1;
-  Jet<Dual> gradient = integrand_gradient<kThird>(f, moved, Dual(kWeight));
+  Jet<Dual> gradient = integrand_gradient<kThird, kChristoffel>(f, moved, Dual(kWeight));
   Eigen::VectorXd result(3 * kDerivatives);
   for (int d = 0; d < kDerivatives; ++d) {
     const Vec3<Dual>& v = *vectors(gradient)[d];
@@ -59,23 +62,30 @@ Eigen::VectorXd column(const WeightedIntegrand& f, Jet<double> jet, int i) {
   return result;
 }
 
-template <bool kThird>
+template <bool kThird, bool kChristoffel>
 void expect_derivative_of_the_gradient(const WeightedIntegrand& f) {
   Random random(6);
   for (int trial = 0; trial < 10; ++trial) {
     const Jet<double> jet = random_jet(random);
-    const Eigen::MatrixXd matrix = hessian<kThird>(f, jet);
+    const Eigen::MatrixXd matrix = hessian<kThird, kChristoffel>(f, jet);
     const double size = matrix.cwiseAbs().maxCoeff();
     EXPECT_LT((matrix - matrix.transpose()).cwiseAbs().maxCoeff(), 1e-11 * size);
     for (int i = 0; i < matrix.cols(); ++i) {
-      EXPECT_LT((matrix.col(i) - column<kThird>(f, jet, i)).cwiseAbs().maxCoeff(), 1e-10 * size) << "column " << i;
+      EXPECT_LT((matrix.col(i) - column<kThird, kChristoffel>(f, jet, i)).cwiseAbs().maxCoeff(), 1e-10 * size)
+          << "column " << i;
     }
   }
 }
 
 TEST(JetHessian, is_symmetric_and_the_derivative_of_the_gradient_for_every_functional) {
   for (const WeightedIntegrand& f : integrands()) {
-    f.third_order ? expect_derivative_of_the_gradient<true>(f) : expect_derivative_of_the_gradient<false>(f);
+    if (f.weights[kParametrization] != 0) {
+      f.third_order ? expect_derivative_of_the_gradient<true, true>(f)
+                    : expect_derivative_of_the_gradient<false, true>(f);
+    } else {
+      f.third_order ? expect_derivative_of_the_gradient<true, false>(f)
+                    : expect_derivative_of_the_gradient<false, false>(f);
+    }
   }
 }
 
@@ -104,8 +114,8 @@ TEST(JetHessian, times_the_jet_is_the_gradient_times_its_degree) {
     Jet<double> jet = random_jet(random);
     const int derivatives = is_third_order(f) ? 9 : 5;
     const Eigen::MatrixXd matrix = is_third_order(f) ? hessian<true>(single, jet) : hessian<false>(single, jet);
-    Jet<double> slope = is_third_order(f) ? integrand_gradient<true>(single, jet, kWeight)
-                                          : integrand_gradient<false>(single, jet, kWeight);
+    Jet<double> slope = is_third_order(f) ? integrand_gradient<true, false>(single, jet, kWeight)
+                                          : integrand_gradient<false, false>(single, jet, kWeight);
     Eigen::VectorXd x(3 * derivatives), gradient(3 * derivatives);
     for (int d = 0; d < derivatives; ++d) {
       for (int c = 0; c < 3; ++c) {

@@ -180,7 +180,7 @@ TEST(HessianMetric, moves_along_no_mere_change_of_scale) {
 
 TEST(HessianMetric, of_newton_is_positive_definite_with_a_smaller_mu_although_some_eigenvalues_are_negative) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    const Surface s = rough_surface(*generate_cage("two-3"), 1, 0.1, seed);
+    const Surface s = rough_surface(*generate_cage("cube"), 1, 0.03, seed);
     HessianMetric hessian(s.layout, s.unknowns, only(kMvsCross), kFewPoints);
     HessianMetric newton(s.layout, s.unknowns, only(kMvsCross), kFewPoints, {}, {}, nullptr, true);
     finish(hessian, s.control);
