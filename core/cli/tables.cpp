@@ -174,6 +174,11 @@ std::string level_table(const std::vector<LevelReport>& levels) {
                         level.patches, level.unknowns, level.energy_reported, level.iterations, level.evaluations,
                         level.seconds, name_of(level.metric), name_of(level.stop));
   }
+  std::string even;
+  for (const LevelReport& level : levels) {
+    if (level.parametrization_stages > 0) even += fmt::format("{}{}", even.empty() ? "" : ", ", level.level);
+  }
+  if (!even.empty()) text += fmt::format("  a term kept the parametrization even, and fell to 0: levels {}\n", even);
   for (const LevelReport& level : levels) {
     if (!level.thickened) continue;
     text +=

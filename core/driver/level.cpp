@@ -21,10 +21,6 @@ namespace {
 /// After this many iterations a new metric costs less than the iterations that it saves.
 constexpr int kHessianLifetime = 10;
 constexpr int kSobolevLifetime = 25;
-/// Newton's metric is the exact model of the next step only, which counts once mu is so small that the model is
-/// trusted.
-constexpr int kNewtonLifetime = 1;
-constexpr double kTrustedMu = 1e-2;
 
 /// Far from a minimum a Hessian may need so much of the Sobolev product that it contributes nothing itself. After this
 /// many uninformative metrics in a row the Sobolev metric is used alone, unless the surface has so few patches that the
@@ -55,13 +51,13 @@ const IdentityMetric kIdentityMetric;
 /// Chooses the metric that is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost
 /// grows faster with the number of unknowns. So it does not pay for large surfaces without symmetry, which have more
 /// patches per unknown; and for functionals of second order, which converge well in any metric, it pays only with
-/// symmetry. Newton's is left to those who ask for it: without symmetry it converges where the Hessian does not, but in
-/// times that vary.
+/// symmetry. Newton's is for surfaces whose parametrization is free, as no symmetry holds it: there the Hessian creeps.
 MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
-  const int second_order_most = surface.symmetry().order > 1 ? 2000 : 0;
-  const int most = third_order(options.weights) ? kMostHessianUnknowns : second_order_most;
-  return unknowns <= most ? MetricChoice::kHessian : MetricChoice::kSobolev;
+  const int order = surface.symmetry().order;
+  const int most = third_order(options.weights) ? kMostHessianUnknowns : order > 1 ? 2000 : 0;
+  if (unknowns > most) return MetricChoice::kSobolev;
+  return order > 1 ? MetricChoice::kHessian : MetricChoice::kNewton;
 }
 
 /// What is minimized, at the surface's start.
@@ -124,14 +120,22 @@ RefinedCage Level::best_cage() const {
   return cage;
 }
 
-void Level::start() {
+LbfgsOptions Level::optimizer_options() const {
   LbfgsOptions options;
   options.max_iterations = options_.max_iterations;
   options.tolerance = evaluable() ? options_.tolerance : std::max(options_.tolerance, kPreparingTolerance);
   options.floor = kEnergyFloor;
   options.max_displacement = kLargestStep * extent(start_.control);
+  if (!stages_.last()) {
+    options.tolerance = std::max(options.tolerance, kStageTolerance);
+    options.model_alone = 1;
+  }
+  return options;
+}
+
+void Level::start() {
   const Metric& metric = metric_ ? static_cast<const Metric&>(*metric_) : kIdentityMetric;
-  lbfgs_ = std::make_unique<Lbfgs>(*objective_, metric, unknowns_of(start_.control), options);
+  lbfgs_ = std::make_unique<Lbfgs>(*objective_, metric, unknowns_of(start_.control), optimizer_options());
 }
 
 void Level::prepare() {
@@ -164,6 +168,10 @@ void Level::try_thicker_start() {
 
 void Level::prepare_metric() {
   if (metric_choice_ == MetricChoice::kIdentity) return;
+  if (metric_choice_ == MetricChoice::kNewton && options_.even_parameters) {
+    stages_.begin(surface_.energy(), surface_.start());
+    objective_->set_parametrization(stages_.weight());
+  }
   make_metric();
   rebuild_metric();
 }
@@ -182,8 +190,7 @@ void Level::make_metric() {
 bool Level::metric_is_stale() const {
   if (!metric_ || !lbfgs_->between_iterations() || (last_hessian_suffices() && lbfgs_->has_nearly_converged()))
     return false;
-  const bool newton = metric_choice_ == MetricChoice::kNewton && metric_->sobolev_share() <= kTrustedMu;
-  const int lifetime = newton ? kNewtonLifetime : metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
+  const int lifetime = metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
   return lbfgs_->iterations() - metric_iteration_ >= lifetime;
 }
 
@@ -225,14 +232,39 @@ bool Level::step() {
     return false;
   }
   const int iterations = lbfgs_->iterations();
+  const double best = lbfgs_->best_value();
   const bool ended = lbfgs_->step();
+  if (lbfgs_->best_value() != best) best_parametrization_ = objective_->last_parametrization();
   if (lbfgs_->iterations() > iterations) objective_->accept();
   return ended && !should_continue();
+}
+
+/// Goes on with a positive definite metric where one that is not has found no way down.
+bool Level::with_positive_metric() {
+  const bool stuck = lbfgs_->stop() == StopReason::kRoundOff || lbfgs_->stop() == StopReason::kLineSearchStalled;
+  if (!stuck || !metric_ || metric_->positive()) return false;
+  metric_->make_positive();
+  building_ = true;
+  lbfgs_->resume(optimizer_options().tolerance);
+  return true;
+}
+
+/// Begins the next stage of the parametrization's term where this one has ended.
+bool Level::next_stage() {
+  if (stages_.last() || !claims_a_minimum(lbfgs_->stop())) return false;
+  stages_.advance(surface_.energy(), best());
+  objective_->set_parametrization(stages_.weight());
+  const LbfgsOptions options = optimizer_options();
+  lbfgs_->restart(options.tolerance, options.model_alone);
+  best_parametrization_ = objective_->last_parametrization();
+  rebuild_metric();
+  return true;
 }
 
 /// Whether convergence should not be trusted yet: the metric can still become better, or the level has ended above the
 /// one before, as in a slow valley.
 bool Level::should_continue() {
+  if (with_positive_metric() || next_stage()) return true;
   if (lbfgs_->stop() != StopReason::kConverged) return false;
   const bool in_question =
       metric_ && (!metric_->settled() || (!metric_->predicts() && uninformative_metrics_ < kUninformativeInARow));
@@ -262,7 +294,7 @@ bool Level::above_the_level_before() const {
 
 void Level::rebuild_metric() {
   if (lbfgs_) metric_->gained(lbfgs_->latest_gain());
-  metric_->begin(best());
+  metric_->begin(best(), stages_.weight());
   building_ = true;
 }
 
@@ -272,7 +304,7 @@ void Level::cancel() {
 }
 
 bool Level::should_check_rule() const {
-  if (!lbfgs_ || cancelled_ || !evaluable()) return false;
+  if (!lbfgs_ || cancelled_ || !evaluable() || !stages_.last()) return false;
   const int iterations = lbfgs_->iterations();
   return lbfgs_->ended() ||
          (lbfgs_->between_iterations() && iterations > 0 && iterations % kIterationsBetweenChecks == 0);
@@ -290,8 +322,10 @@ std::unique_ptr<Level> Level::with_finer_rule() const {
   LevelOptions options = options_;
   ++options.quadrature;
   options.max_iterations -= lbfgs_->iterations();
+  options.even_parameters = false;
   auto level = std::make_unique<Level>(best_cage(), surface_.level(), options);
-  level->before_ = {iterations(), evaluations(), before_.metrics + metrics_, energy(), gradient_norm()};
+  level->before_ = {iterations(), evaluations(),  before_.metrics + metrics_, before_.stages + stages_.begun(),
+                    energy(),     gradient_norm()};
   level->start_energy_ = start_energy_;
   level->thicknesses_tried_ = kThicknessRatios.size();
   level->thickened_ = thickened_;
@@ -301,8 +335,11 @@ std::unique_ptr<Level> Level::with_finer_rule() const {
 std::unique_ptr<Level> Level::with_closeness(double weight) const {
   RefinedCage start = best_cage();
   start.closeness = weight;
-  auto level = std::make_unique<Level>(std::move(start), surface_.level(), options_);
-  level->before_ = {iterations(), evaluations(), before_.metrics + metrics_, energy(), gradient_norm()};
+  LevelOptions options = options_;
+  if (lbfgs_) options.even_parameters = false;
+  auto level = std::make_unique<Level>(std::move(start), surface_.level(), options);
+  level->before_ = {iterations(), evaluations(),  before_.metrics + metrics_, before_.stages + stages_.begun(),
+                    energy(),     gradient_norm()};
   return level;
 }
 
@@ -322,10 +359,11 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.patches = surface_.mesh().surface_face_count();
   report.unknowns = unknowns_.count();
   report.energy_reported = surface_.objective(energies);
-  report.energy = evaluated() ? lbfgs_->best_value() : objective_value(surface_);
+  report.energy = evaluated() ? energy() : objective_value(surface_);
   report.stop = StopReason::kCancelled;
   report.metric = metric_choice_;
   report.metrics = before_.metrics + metrics_;
+  report.parametrization_stages = before_.stages + stages_.begun();
   report.quadrature = options_.quadrature;
   report.iterations = iterations();
   report.evaluations = evaluations();

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "driver/parametrization.h"
 #include "driver/surface.h"
 #include "driver/surface_objective.h"
 #include "optimize/gauge.h"
@@ -37,6 +38,9 @@ struct LevelOptions {
   int quadrature = 0;  ///< by how many steps the rules are refined, see driver/rules.h
   /// The constant factor of third-order functionals where faces are held, see Surface.
   std::optional<double> fixed_area{};
+  /// Whether Newton's metric begins with a term that makes the parametrization even, see driver/parametrization.h. A
+  /// surface that has already been minimized needs none.
+  bool even_parameters = true;
 };
 
 class Level {
@@ -82,9 +86,9 @@ class Level {
   /// Iterations with all rules.
   int iterations() const { return before_.iterations + (lbfgs_ ? lbfgs_->iterations() : 0); }
   int evaluations() const { return before_.evaluations + (lbfgs_ ? lbfgs_->evaluations() : 0); }
-  /// Energy of the best surface, by the rule with which it was evaluated, and the norm of its gradient; NaN before the
-  /// first evaluation.
-  double energy() const { return evaluated() ? lbfgs_->best_value() : before_.energy; }
+  /// Energy of the best surface, by the rule with which it was evaluated, and the norm of the gradient of what is
+  /// minimized; NaN before the first evaluation.
+  double energy() const { return evaluated() ? lbfgs_->best_value() - best_parametrization_ : before_.energy; }
   double gradient_norm() const { return evaluated() ? lbfgs_->best_gradient_norm() : before_.gradient_norm; }
 
   /// The report so far, with the best surface's energies by the reporting rule.
@@ -97,11 +101,14 @@ class Level {
   void prepare_metric();
   bool start_is_in_question() const;
   void try_thicker_start();
+  LbfgsOptions optimizer_options() const;
   void start();
   void make_metric();
   void rebuild_metric();
   bool metric_is_stale() const;
   bool hessian_is_uninformative() const;
+  bool with_positive_metric();
+  bool next_stage();
   bool should_continue();
   bool last_hessian_suffices() const;
   bool above_the_level_before() const;
@@ -125,12 +132,14 @@ class Level {
   int metric_iteration_ = 0, metrics_ = 0;
   int uninformative_metrics_ = 0;       // number of latest metrics that were uninformative
   std::optional<double> start_energy_;  // energy of the level's first surface, by its first rule
-  bool strict_ = false;                 // whether the tolerance has been tightened
+  ParametrizationStages stages_;
+  double best_parametrization_ = 0;  // the parametrization's term of the best surface
+  bool strict_ = false;              // whether the tolerance has been tightened
   bool cancelled_ = false;
 
   /// Work done with coarser rules.
   struct {
-    int iterations = 0, evaluations = 0, metrics = 0;
+    int iterations = 0, evaluations = 0, metrics = 0, stages = 0;
     double energy = std::numeric_limits<double>::quiet_NaN(), gradient_norm = energy;
   } before_;
 };

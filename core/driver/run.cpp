@@ -273,7 +273,9 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constra
     if (auto error_of_rows = contradiction_of(first, coordinates)) return *error_of_rows;
     first.control = moved_to_equations(first, coordinates);
   }
-  state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), state->level_options());
+  LevelOptions level_options = state->level_options();
+  level_options.even_parameters = !start || start->level < first.level;
+  state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), level_options);
   if (constraints.closeness && constraints.closeness->within) state->begin_search(*constraints.closeness->within);
   state->update_progress();
   return Run(std::move(state));

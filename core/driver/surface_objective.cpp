@@ -41,10 +41,11 @@ double SurfaceObjective::defect(const EnergyValue& value, const Points& control)
 
 void SurfaceObjective::evaluate(const Eigen::VectorXd& unknowns, Evaluation& result) const {
   unknowns_.control(unknowns, control_);
-  const EnergyValue value = energy_.evaluate(control_, &gradient_);
+  const EnergyValue value = energy_.evaluate(control_, &gradient_, parametrization_);
   last_defect_ = defect(value, control_);
   const bool credible = last_defect_ <= largest_defect_ && value.energy >= least_energy_;
-  result.value = credible ? value.energy : std::numeric_limits<double>::infinity();
+  last_parametrization_ = value.parametrization;
+  result.value = credible ? value.energy + value.parametrization : std::numeric_limits<double>::infinity();
   if (closeness_) result.value += closeness_->evaluate(control_, &gradient_);
   unknowns_.pull_back(gradient_, result.gradient);
   result.degenerate = !(value.regularity > kSmallestRegularity);

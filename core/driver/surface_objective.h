@@ -30,6 +30,11 @@ class SurfaceObjective : public Objective {
   /// The optimizer has gone to the point that was evaluated last: from now on none may have a much larger defect.
   void accept() const;
 
+  /// The weight of the parametrization's density (driver/parametrization.h), which is added to the energy; at first 0.
+  void set_parametrization(double weight) { parametrization_ = weight; }
+  /// That term at the point that was evaluated last.
+  double last_parametrization() const { return last_parametrization_; }
+
   double start_energy() const { return start_energy_; }
   /// Whether the samples see all curvature of the start.
   bool start_is_whole() const { return start_is_whole_; }
@@ -44,7 +49,8 @@ class SurfaceObjective : public Objective {
   const ClosenessTerm* closeness_;
   double start_energy_, least_energy_;
   bool start_is_whole_;
-  mutable double largest_defect_, last_defect_ = 0;
+  double parametrization_ = 0;
+  mutable double largest_defect_, last_defect_ = 0, last_parametrization_ = 0;
   mutable Points control_, gradient_;
 };
 

@@ -106,6 +106,7 @@ struct LevelReport {
   StopReason stop = StopReason::kConverged;
   MetricChoice metric = MetricChoice::kIdentity;
   int metrics = 0;
+  int parametrization_stages = 0;
   int quadrature = 0;
   bool credible = true;
   bool thickened = false;
@@ -125,6 +126,8 @@ struct LevelReport {
     visit("stop", self.stop, "Why the level ended");
     visit("metric", self.metric, "What the optimizer measured steps with; never auto");
     visit("metrics", self.metrics, "How often the metric was built");
+    visit("parametrization_stages", self.parametrization_stages,
+          "Stages in which a term that keeps the parametrization even fell to 0; 0 without it");
     visit("quadrature", self.quadrature,
           "Steps by which its quadrature rules became finer than usual (core/driver/rules.h)");
     visit("evaluable", self.evaluable,

@@ -40,8 +40,8 @@ double largest_residual(const umbilic::Run& run, const Cage& cage, const Constra
       .maxCoeff();
 }
 
-/// A few steps raise the energy only where a finer rule sees more of it, keep the equations, and claim nothing of what
-/// is not finite.
+/// A few steps raise the energy only where a finer rule sees more of it, or a term makes the parametrization even; keep
+/// the equations, and claim nothing of what is not finite.
 void expect_a_sound_run(umbilic::Run run, const Cage& cage, const Constraints& constraints) {
   double energy = std::numeric_limits<double>::quiet_NaN();
   int rises = 0;
@@ -51,7 +51,9 @@ void expect_a_sound_run(umbilic::Run run, const Cage& cage, const Constraints& c
     if (std::isfinite(now)) energy = now;
   }
   const LevelReport& result = run.result();
-  EXPECT_LE(rises, result.quadrature);
+  if (result.parametrization_stages == 0) {
+    EXPECT_LE(rises, result.quadrature);
+  }
   EXPECT_TRUE(std::isfinite(result.energy)) << result.energy;
   EXPECT_TRUE(std::isfinite(result.energy_reported)) << result.energy_reported;
   EXPECT_GE(result.energy, 0);
