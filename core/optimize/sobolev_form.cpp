@@ -75,7 +75,7 @@ Eigen::MatrixXd SobolevForm::patch(int set, int patch, SobolevMemory& memory) co
   const SolveKernels& kernels = solve_kernels();
   double* scratch = reserve(memory.scratch, kernels.scratch_size(table.columns));
   const DenseFactor transposed{rows.data(), table.columns, table.columns, static_cast<int>(rows.rows())};
-  kernels.subtract_product(transposed, weights.data(), result.data(), scratch);
+  kernels.subtract_product(transposed, weights.data(), 0, table.columns, result.data(), scratch);
   return result;
 }
 
