@@ -91,7 +91,9 @@ Eliminated eliminate_in_pieces(const Eigen::MatrixXd& matrix, int width, int ste
   for (int begin = 0; begin < width; begin += step) {
     const int end = std::min(begin + step, width);
     for (int first = 0; first < end; first += kPanelBlock) {
-      if (first >= begin) EXPECT_TRUE(kernels.eliminate_block(panel, first, false, result.pivots.data()));
+      if (first >= begin) {
+        EXPECT_TRUE(kernels.eliminate_block(panel, first, false, result.pivots.data()));
+      }
       const int from = std::max(begin, first + kPanelBlock);
       if (from < end) kernels.subtract_block(panel, first, result.pivots.data(), from, end, scratch.data());
     }

@@ -145,7 +145,9 @@ TEST(TreeSplit, has_each_supernode_once_and_subtrees_that_need_nothing_from_each
         }
       }
       EXPECT_EQ(split.shared, threads > 1 && shape.name != "too little to share");
-      if (!split.shared) EXPECT_TRUE(split.subtrees.empty());
+      if (!split.shared) {
+        EXPECT_TRUE(split.subtrees.empty());
+      }
     }
   }
 }
