@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/threads.h"
 #include "cage/generate.h"
 #include "cage/write.h"
 #include "driver/surface.h"
@@ -44,6 +45,16 @@ size_t umbilic_copy_message(char* buffer, size_t capacity) {
     buffer[length] = '\0';
   }
   return message.size();
+}
+
+umbilic_status umbilic_use_threads(int32_t count) {
+  return guarded([&] {
+    if (count < 1 || count > kMostThreads) {
+      return fail(UMBILIC_BAD_ARGUMENT, fmt::format("threads: {} is not from 1 to {}", count, kMostThreads));
+    }
+    use_threads(count);
+    return UMBILIC_OK;
+  });
 }
 
 umbilic_status umbilic_cage_names(umbilic_text* names) {

@@ -72,6 +72,12 @@ const char* umbilic_version(void);
  */
 size_t umbilic_copy_message(char* buffer, size_t capacity);
 
+/**
+ * Sets how many threads compute, 1 to 256, for all calls together; one until then. Results are the same for every
+ * number. Not while another function runs. Without effect in WebAssembly.
+ */
+umbilic_status umbilic_use_threads(int32_t count);
+
 /** JSON arrays: the names of the generated cages, and those of the functionals. */
 umbilic_status umbilic_cage_names(umbilic_text* names);
 umbilic_status umbilic_functional_names(umbilic_text* names);

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <thread>
+
+#include "base/threads.h"
 
 namespace umbilic::catalog {
 namespace {
@@ -20,7 +21,13 @@ class Queue {
 
   void work() {
     while (const CatalogTask* task = take()) {
-      task->work([&](const Run& run) { return tell(task->name, run.progress().level); });
+      try {
+        task->work([&](const Run& run) { return tell(task->name, run.progress().level); });
+      } catch (...) {
+        const std::lock_guard lock(mutex_);
+        going_ = false;
+        throw;
+      }
       const std::lock_guard lock(mutex_);
       if (going_) ++done_;
     }
@@ -49,12 +56,10 @@ class Queue {
 
 }  // namespace
 
-bool run_tasks(std::vector<CatalogTask> tasks, int jobs, const std::function<bool(const CatalogProgress&)>& report) {
+bool run_tasks(std::vector<CatalogTask> tasks, const std::function<bool(const CatalogProgress&)>& report) {
   Queue queue(std::move(tasks), report);
-  std::vector<std::thread> threads;
-  for (int i = 1; i < jobs; ++i) threads.emplace_back([&] { queue.work(); });
-  queue.work();
-  for (std::thread& thread : threads) thread.join();
+  const auto work = [&](int) { queue.work(); };
+  work_together(work);
   return queue.finished();
 }
 

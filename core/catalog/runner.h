@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Computes entries on several threads, each one entry at a time.
+/// Computes entries side by side, each on one thread while there are more of them than threads; then the threads that
+/// are left over help with the last ones (base/threads.h).
 #pragma once
 
 #include <functional>
@@ -26,10 +27,10 @@ struct CatalogProgress {
   int level = 0;
 };
 
-/// Runs all tasks, `jobs` >= 1 at a time, and returns whether all were run. `report` is called from time to time, by
+/// Runs all tasks, thread_count() at a time, and returns whether all were run. `report` is called from time to time, by
 /// one thread at a time; once it returns false, no further task begins and the current ones end. `work` is called by
-/// several threads at once.
-bool run_tasks(std::vector<CatalogTask> tasks, int jobs, const std::function<bool(const CatalogProgress&)>& report);
+/// several threads at once; what it throws ends the others, and is thrown here.
+bool run_tasks(std::vector<CatalogTask> tasks, const std::function<bool(const CatalogProgress&)>& report);
 
 /// Relative cost of an entry, from its levels and its number of unknowns, which is the same for all frames of a family.
 double cost_of(const CatalogShape& shape, const EntrySettings& settings);

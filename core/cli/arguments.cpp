@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/instruction_set.h"
+#include "base/threads.h"
 #include "cage/text.h"
 #include "problem/members.h"
 
@@ -65,6 +66,16 @@ void add_instruction_set_option(CLI::App& app) {
          "Kernels that compute: portable, avx2 or avx512; before the command\n[the last one that this processor has]")
       ->type_name("SET")
       ->check(checked(parse_instruction_set));
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+  const auto parse = [](const std::string& text) { return parse_count(text, 1, kMostThreads); };
+  command
+      .add_option_function<std::string>(
+          "--threads", [&threads, parse](const std::string& text) { threads = parse(text).value(); },
+          "Threads that compute; every number gives the same result [one per processor]")
+      ->type_name("N")
+      ->check(checked(parse));
 }
 
 void add_json_flag(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print JSON instead of a table"); }

@@ -30,6 +30,9 @@ Result<MetricChoice> parse_metric(const std::string& name);
 /// --instruction-set; takes effect before the command runs.
 void add_instruction_set_option(CLI::App& app);
 
+/// --threads; `threads` holds the default.
+void add_threads_option(CLI::App& command, int& threads);
+
 /// --json.
 void add_json_flag(CLI::App& command, bool& json);
 

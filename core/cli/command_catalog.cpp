@@ -10,8 +10,8 @@
 #include <memory>
 #include <mutex>
 #include <set>
-#include <thread>
 
+#include "base/threads.h"
 #include "cage/text.h"
 #include "catalog/runner.h"
 #include "cli/arguments.h"
@@ -30,7 +30,7 @@ namespace {
 struct CatalogArguments {
   std::string folder;
   std::set<std::string> shapes, functionals;  ///< all if empty
-  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  int threads = hardware_threads();
   int last_level = kMostLevels;
   bool anew = false;
   bool check = false;
@@ -58,7 +58,7 @@ class Session {
     }
     const InterruptWatch watch;
     CatalogBar bar(arguments_.quiet);
-    const bool all = run_tasks(std::move(tasks_), arguments_.jobs, [&](const CatalogProgress& progress) {
+    const bool all = run_tasks(std::move(tasks_), [&](const CatalogProgress& progress) {
       bar.update(progress);
       return !watch.interrupted() && !failed_;
     });
@@ -134,6 +134,7 @@ class Session {
 };
 
 int run(const CatalogArguments& arguments) {
+  use_threads(arguments.threads);
   Result<CatalogFolder> folder = CatalogFolder::open(arguments.folder);
   if (!folder) return fail(kBadInput, folder.error().message);
   return Session(std::move(folder).value(), arguments).run();
@@ -165,16 +166,15 @@ void add_catalog_command(CLI::App& app, int& exit_code) {
   command->add_option("--functional", arguments->functionals, "Only this functional; may be repeated [all]")
       ->type_name("NAME")
       ->check(known(catalog_functionals()));
-  const auto add_count = [&](const char* name, int& value, int least, int most, const char* type, const char* what) {
-    const auto parse = [least, most](const std::string& text) { return parse_count(text, least, most); };
-    command
-        ->add_option_function<std::string>(
-            name, [&value, parse](const std::string& text) { value = parse(text).value(); }, what)
-        ->type_name(type)
-        ->check(checked(parse));
-  };
-  add_count("--jobs", arguments->jobs, 1, 256, "N", "Entries computed at the same time [one per processor]");
-  add_count("--last-level", arguments->last_level, 0, kMostLevels, "L", "No level beyond L, for a quick look");
+  add_threads_option(*command, arguments->threads);
+  const auto parse_level = [](const std::string& text) { return parse_count(text, 0, kMostLevels); };
+  command
+      ->add_option_function<std::string>(
+          "--last-level",
+          [arguments, parse_level](const std::string& text) { arguments->last_level = parse_level(text).value(); },
+          "No level beyond L, for a quick look")
+      ->type_name("L")
+      ->check(checked(parse_level));
   command->add_flag("--anew", arguments->anew, "Compute also what is there with the same settings and version");
   command->add_flag("--check", arguments->check,
                     "Compute everything again and compare instead of writing: exit code 1\nwhere an energy differs by "

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/instruction_set.h"
+#include "base/threads.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -24,6 +25,7 @@ struct EvaluateArguments {
   std::string cage;
   CapKind cap = CapKind::kSmooth;
   int levels = 0;
+  int threads = hardware_threads();
   bool json = false;
 };
 
@@ -34,6 +36,7 @@ std::string json(const CageFile& input, const EvaluateArguments& arguments, cons
 }
 
 int run(const EvaluateArguments& arguments) {
+  use_threads(arguments.threads);
   const auto input = load_cage(arguments.cage);
   if (!input) return fail(kBadInput, input.error().message);
   const auto evaluation = evaluate(input->cage, arguments.cap, arguments.levels);
@@ -63,6 +66,7 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
           "Catmull-Clark steps before evaluating; raised when the cage needs more [0]")
       ->type_name("N")
       ->check(checked(parse_level));
+  add_threads_option(*command, arguments->threads);
   add_json_flag(*command, arguments->json);
   command->footer(functional_help());
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/threads.h"
 #include "cage/write.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
@@ -32,6 +33,7 @@ struct OptimizeArguments {
   std::optional<std::string> limit_mesh;
   std::optional<std::string> report;
   int density = 4;
+  int threads = hardware_threads();
   bool certify = false;
   bool quiet = false;
   bool print_problem = false;
@@ -143,6 +145,7 @@ Result<ProblemFile> asked(const OptimizeArguments& arguments) {
 }
 
 int run(const OptimizeArguments& arguments) {
+  use_threads(arguments.threads);
   if (arguments.print_schema) return print(schema_text()) ? kEnded : kCannotWrite;
   if (arguments.input.empty()) return fail(kBadUsage, "INPUT is required");
   const std::vector<std::string> outputs = arguments.outputs();
@@ -215,6 +218,7 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
              "Write problem, energies, levels and surface as JSON, to go on from");
   command->add_flag("--certify", arguments->certify,
                     "Tell whether the result is a local minimum among all surfaces, symmetric or not");
+  add_threads_option(*command, arguments->threads);
   command->add_flag("-q,--quiet", arguments->quiet, "No progress on standard error");
   command->footer(
       "Options change what the file of a problem says.\n"

@@ -27,17 +27,18 @@ std::vector<Vector3> positions(const PatchLayout& layout, const Points& control)
   PatchEvaluator patches(layout,
                          [](const PatchKind& kind) { return PatchBasis(shared_basis_table(kind, kDeviationRule, 0)); });
   patches.move_to(control);
+  PatchMemory memory;
   std::vector<Vector3> result;
-  patches.for_each_range([&](PatchRange range) {
+  for (const PatchRange& range : patches.ranges()) {
     const BasisTable& table = patches.basis(range.set).table();
-    const double* jets = patches.jets(range, 1, 0);
+    const double* jets = patches.jets(range, 1, memory, 0);
     for (int p = 0; p < range.count; ++p) {
       const double* x = jets + static_cast<std::size_t>(3) * p * table.samples;
       for (int s = 0; s < table.distinct; ++s) {
         result.emplace_back(x[s], x[table.samples + s], x[2 * table.samples + s]);
       }
     }
-  });
+  }
   return result;
 }
 

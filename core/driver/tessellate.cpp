@@ -8,9 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "base/shared_cache.h"
+#include "base/threads.h"
 #include "surface/patch_evaluator.h"
 
 namespace umbilic {
@@ -164,7 +167,7 @@ class Tessellation {
   }
 
   /// Adds a patch and its images. `points` are those of its grid, u fastest.
-  void add(int halfedge, const std::vector<SurfacePoint>& points) {
+  void add(int halfedge, std::span<const SurfacePoint> points) {
     find_images(mesh_, group_, halfedge, reached_, images_);
     for (const Image& image : images_) {
       const Vector3 offset = group_.center - image.isometry * group_.center;
@@ -210,6 +213,28 @@ class Tessellation {
   std::vector<Image> images_;
 };
 
+/// Evaluates the grids of the patches in a range.
+void add_grids(const PatchEvaluator& patches, PatchRange range, PatchMemory& memory,
+               std::vector<SurfacePoint>& points) {
+  const PatchSet& set = patches.layout().sets()[range.set];
+  const BasisTable& table = patches.basis(range.set).table();
+  const double* jets = patches.jets(range, kDerivatives, memory, 0);
+  for (int p = 0; p < range.count; ++p) {
+    const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>> rows(
+        jets + static_cast<std::size_t>(3) * p * kDerivatives * table.samples,
+        static_cast<Eigen::Index>(kDerivatives) * table.samples, 3);
+    const std::size_t first = points.size();
+    for (int s = 0; s < table.distinct; ++s) {
+      Eigen::Matrix<double, kDerivatives, 3> x;
+      for (int d = 0; d < kDerivatives; ++d) x.row(d) = rows.row(d * table.samples + s);
+      points.emplace_back(x);
+    }
+    if (set.kind.at_extraordinary()) {
+      points[first].position = cap_centre(patches.layout().caps()[set.caps[range.first + p]], patches.points());
+    }
+  }
+}
+
 }  // namespace
 
 void put_back(LimitMesh& mesh, const Placement& placement) {
@@ -222,27 +247,22 @@ LimitMesh tessellate(const PolygonMesh& mesh, const SymmetryGroup& group, const 
   PatchEvaluator patches(layout, [&](const PatchKind& kind) { return PatchBasis(grid_table(kind, density)); });
   patches.move_to(control);
   Tessellation result(mesh, group, density);
-  std::vector<SurfacePoint> grid_points;
-  patches.for_each_range([&](PatchRange range) {
-    const PatchSet& set = layout.sets()[range.set];
-    const BasisTable& table = patches.basis(range.set).table();
-    const double* jets = patches.jets(range, kDerivatives, 0);
-    for (int p = 0; p < range.count; ++p) {
-      const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>> rows(
-          jets + static_cast<std::size_t>(3) * p * kDerivatives * table.samples,
-          static_cast<Eigen::Index>(kDerivatives) * table.samples, 3);
-      grid_points.clear();
-      for (int s = 0; s < table.distinct; ++s) {
-        Eigen::Matrix<double, kDerivatives, 3> x;
-        for (int d = 0; d < kDerivatives; ++d) x.row(d) = rows.row(d * table.samples + s);
-        grid_points.emplace_back(x);
-      }
-      if (set.kind.at_extraordinary()) {
-        grid_points.front().position = cap_centre(layout.caps()[set.caps[range.first + p]], patches.points());
-      }
-      result.add(set.halfedges[range.first + p], grid_points);
-    }
-  });
+  std::vector<PatchMemory> memories(thread_count());
+  std::vector<std::vector<SurfacePoint>> grids(slot_count());  // of the patches of a range, one after the other
+  in_order(
+      static_cast<int>(patches.ranges().size()), slot_count(),
+      [&](int r, int slot, int member) {
+        grids[slot].clear();
+        add_grids(patches, patches.ranges()[r], memories[member], grids[slot]);
+      },
+      [&](int r, int slot) {
+        const PatchRange range = patches.ranges()[r];
+        const std::size_t size = grids[slot].size() / range.count;
+        for (int p = 0; p < range.count; ++p) {
+          result.add(layout.sets()[range.set].halfedges[range.first + p],
+                     std::span(grids[slot]).subspan(p * size, size));
+        }
+      });
   return std::move(result).means();
 }
 

@@ -5,6 +5,7 @@
 #include "energy/energy_hessian.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "energy/energy_kernels.h"
 
@@ -46,10 +47,6 @@ EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& ru
     : patches_(layout, [&](const PatchKind& kind) { return PatchBasis(shared_basis_table(kind, rule, 1)); }),
       weights_(weights) {
   integrand_.umbilic_eta = umbilic_eta;
-  int widest = 0;
-  for (int set = 0; set < patches_.set_count(); ++set) widest = std::max(widest, columns(set));
-  scratch_.resize(HessianPatch::scratch(widest));
-  block_.resize(static_cast<std::size_t>(9) * widest * widest);
 }
 
 void EnergyHessian::move_to(const Points& control, const EnergyValue& value, double parametrization) {
@@ -62,24 +59,26 @@ void EnergyHessian::move_to(const Points& control, const EnergyValue& value, dou
   integrand_.area_factor = integrand_.third_order ? value.area_slope : 0;
 }
 
-const double* EnergyHessian::patch(int set, int patch) {
+void EnergyHessian::patch(int set, int patch, HessianMemory& memory, std::vector<double>& block) const {
   const BasisTable& table = patches_.basis(set).table();
   const int derivatives = integrand_.third_order ? kThirdOrderCount : kSecondOrderCount;
-  const double* jets = patches_.jets({set, patch, 1}, derivatives);
+  const double* jets = patches_.jets({set, patch, 1}, derivatives, memory.patches);
   const bool flat = patches_.layout().sets()[set].kind.shape == CapShape::kFlat;
   Eigen::Matrix3d turn;
   if (flat) {
     turn = turn_to_axis(patches_.normal(set, patch));
-    turned_ = Eigen::Map<const decltype(turned_)>(jets, derivatives * table.samples, 3) * turn.transpose();
-    jets = turned_.data();
+    memory.turned = Eigen::Map<const decltype(memory.turned)>(jets, derivatives * table.samples, 3) * turn.transpose();
+    jets = memory.turned.data();
   }
+  const auto columns = static_cast<std::size_t>(table.padded_columns);
+  memory.scratch.resize(std::max<std::size_t>(memory.scratch.size(), HessianPatch::scratch(table.padded_columns)));
+  block.resize(std::max(block.size(), 9 * columns * columns));
   const double* basis = table.basis.data();
   const HessianPatch input{
       table.samples, table.padded_columns, table.weights.data(), jets, {basis, basis, table.along_normal().data()},
       table.stride};
-  energy_kernels().patch_hessian(input, integrand_, scratch_.data(), block_.data());
-  if (flat) turn_back(turn, table.padded_columns, block_);
-  return block_.data();
+  energy_kernels().patch_hessian(input, integrand_, memory.scratch.data(), block.data());
+  if (flat) turn_back(turn, table.padded_columns, block);
 }
 
 }  // namespace umbilic

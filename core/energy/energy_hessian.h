@@ -17,6 +17,14 @@
 
 namespace umbilic {
 
+/// What the Hessian writes while it computes the matrix of a patch: one for each thread that does.
+struct HessianMemory {
+  PatchMemory patches;
+  Eigen::Matrix<double, Eigen::Dynamic, 3>
+      turned;  ///< jets of a flat cap, rotated so that the normal is the third axis
+  std::vector<double> scratch;
+};
+
 class EnergyHessian {
  public:
   /// `layout` must outlive the Hessian.
@@ -27,8 +35,8 @@ class EnergyHessian {
   void move_to(const Points& control, const EnergyValue& value, double parametrization = 0);
 
   /// The matrix of a patch of the layout: row-major, 3 columns(set) x 3 columns(set), as EnergyKernels::patch_hessian
-  /// leaves it. Valid until the next call.
-  const double* patch(int set, int patch);
+  /// leaves it. `block` grows as needed. Threads with different memory may call at the same time.
+  void patch(int set, int patch, HessianMemory& memory, std::vector<double>& block) const;
   int columns(int set) const { return patches_.basis(set).table().padded_columns; }
   int samples(int set) const { return patches_.basis(set).table().samples; }
 
@@ -36,8 +44,6 @@ class EnergyHessian {
   PatchEvaluator patches_;
   Weights weights_;
   WeightedIntegrand integrand_{};
-  Eigen::Matrix<double, Eigen::Dynamic, 3> turned_;  // jets of a flat cap, rotated so that the normal is the third axis
-  std::vector<double> scratch_, block_;
 };
 
 }  // namespace umbilic

@@ -19,6 +19,11 @@ struct EnergySums {
   double smallest;  ///< smallest area element
 };
 
+/// The integrals over a block: over the samples in full vectors of lanes, and over those that are left.
+struct BlockEnergies {
+  EnergySums wide, rest;
+};
+
 /// Integrals of each functional, summed over samples; third-order ones without the factor area.
 struct FunctionalSums {
   double functionals[kFunctionalCount];
@@ -28,18 +33,17 @@ struct FunctionalSums {
 };
 
 struct EnergyKernels {
-  /// Adds the block's integrals of the second-order densities (among them the parametrization's), the third-order
-  /// ones, or both. `weights` are those of the kDensityCount densities. If the block has adjoints, overwrites them with
-  /// those of the second-order integral (if `second_order`), of the third-order integral and of the area (if
-  /// `third_order`), in this order.
-  void (*integrate)(const double* weights, bool second_order, bool third_order, const JetBlock& block,
-                    EnergySums& sums);
+  /// The block's integrals of the second-order densities (among them the parametrization's), the third-order ones, or
+  /// both. `weights` are those of the kDensityCount densities. If the block has adjoints, overwrites them with those of
+  /// the second-order integral (if `second_order`), of the third-order integral and of the area (if `third_order`), in
+  /// this order.
+  BlockEnergies (*integrate)(const double* weights, bool second_order, bool third_order, const JetBlock& block);
   /// Writes the second derivatives of the patch's integral by coordinate c of point i and e of point j to out[(c *
   /// columns + i) * (3 * columns) + (e * columns + j)], for e <= c. If e == c only the entries with j <= i are
   /// meaningful.
   void (*patch_hessian)(const HessianPatch& patch, const WeightedIntegrand& f, double* scratch, double* out);
-  /// Adds the block's integrals of all functionals; its jets must have third order.
-  void (*integrate_all)(const JetBlock& block, FunctionalSums& sums);
+  /// The block's integrals of all functionals; its jets must have third order.
+  FunctionalSums (*integrate_all)(const JetBlock& block);
 };
 
 /// The kernels of the instruction set in use.

@@ -8,9 +8,26 @@
 #include <limits>
 #include <utility>
 
-#include "energy/energy_kernels.h"
-
 namespace umbilic {
+namespace {
+
+void add(const EnergySums& part, EnergySums& sums) {
+  sums.second += part.second;
+  sums.third += part.third;
+  sums.parametrization += part.parametrization;
+  sums.area += part.area;
+  sums.gaussian += part.gaussian;
+  if (part.smallest < sums.smallest) sums.smallest = part.smallest;
+}
+
+void add(const FunctionalSums& part, FunctionalSums& sums) {
+  for (int i = 0; i < kFunctionalCount; ++i) sums.functionals[i] += part.functionals[i];
+  sums.parametrization += part.parametrization;
+  sums.area += part.area;
+  sums.gaussian += part.gaussian;
+}
+
+}  // namespace
 
 SurfaceEnergy::SurfaceEnergy(const JetEvaluator& jets, const Weights& weights, std::optional<double> fixed_area)
     : jets_(jets),
@@ -33,13 +50,18 @@ EnergyValue SurfaceEnergy::evaluate_channels(const Points& control, double param
     channels[count++] = {kFirstOrderCount};
   }
 
-  EnergySums sums{0, 0, 0, 0, 0, std::numeric_limits<double>::infinity()};
   const EnergyKernels& kernels = energy_kernels();
-  const auto visit = [&](const JetBlock& block) {
-    kernels.integrate(densities.data(), second_order, third_order_, block, sums);
+  blocks_.resize(jets_.block_count());
+  const auto visit = [&](int number, const JetBlock& block) {
+    blocks_[number] = kernels.integrate(densities.data(), second_order, third_order_, block);
   };
   jets_.evaluate(control, third_order_ ? kThirdOrderCount : kSecondOrderCount, {channels, count}, std::ref(visit),
                  gradients);
+  EnergySums sums{0, 0, 0, 0, 0, std::numeric_limits<double>::infinity()};
+  for (const BlockEnergies& block : blocks_) {
+    add(block.wide, sums);
+    add(block.rest, sums);
+  }
 
   EnergyValue value;
   value.second = sums.second;
@@ -82,11 +104,13 @@ EnergyValue SurfaceEnergy::evaluate_factors(const Points& control, Points& third
 }
 
 SurfaceIntegrals surface_integrals(const JetEvaluator& jets, const Points& control) {
-  FunctionalSums sums{};
   const EnergyKernels& kernels = energy_kernels();
-  const auto visit = [&](const JetBlock& block) { kernels.integrate_all(block, sums); };
+  std::vector<FunctionalSums> blocks(jets.block_count());
+  const auto visit = [&](int number, const JetBlock& block) { blocks[number] = kernels.integrate_all(block); };
   std::vector<Points> none;
   jets.evaluate(control, kThirdOrderCount, {}, visit, none);
+  FunctionalSums sums{};
+  for (const FunctionalSums& block : blocks) add(block, sums);
 
   SurfaceIntegrals result;
   result.area = sums.area;

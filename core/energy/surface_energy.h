@@ -6,7 +6,9 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
+#include "energy/energy_kernels.h"
 #include "energy/functional.h"
 #include "surface/jets.h"
 
@@ -25,7 +27,7 @@ struct EnergyValue {
   double regularity = 0;
 };
 
-/// Reuses its working memory between evaluations, so only one thread may evaluate at a time.
+/// Reuses its working memory between evaluations, so there may be only one at a time. Each is shared among threads.
 class SurfaceEnergy {
  public:
   /// `jets` must outlive the energy. `fixed_area` replaces the factor area of third-order functionals, if given. That
@@ -56,7 +58,8 @@ class SurfaceEnergy {
   Weights weights_;
   std::optional<double> fixed_area_;
   bool second_order_, third_order_;
-  mutable std::vector<Points> gradients_;  // those of the second-order integral, the third-order one and the area
+  mutable std::vector<BlockEnergies> blocks_;  // summed in their order
+  mutable std::vector<Points> gradients_;      // those of the second-order integral, the third-order one and the area
 };
 
 struct SurfaceIntegrals {

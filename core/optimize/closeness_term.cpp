@@ -24,17 +24,22 @@ ClosenessTerm::ClosenessTerm(const PatchLayout& layout, const Points& own, doubl
   const PatchAssembly assembly(layout, Coordinates(layout.control_count()), true);
   PatchSums sums;
   assembly.clear(sums);
+  PatchMemory memory;
+  PatchTerms terms;
   for (int set = 0; set < patches_.set_count(); ++set) {
-    for (int p = 0; p < layout.sets()[set].count(); ++p) assembly.add_scalar(set, p, patch(set, p), sums);
+    for (int p = 0; p < layout.sets()[set].count(); ++p) {
+      assembly.scalar_terms(set, p, patch(set, p, memory), terms);
+      assembly.add(set, p, terms, sums);
+    }
   }
   assembly.eliminate(sums);
   mass_ = assembly.lower(sums.values);
   if (weight_ > 0) mass_ /= 2 * weight_;
 }
 
-Eigen::MatrixXd ClosenessTerm::patch(int set, int patch) const {
+Eigen::MatrixXd ClosenessTerm::patch(int set, int patch, PatchMemory& memory) const {
   const BasisTable& table = patches_.basis(set).table();
-  const double* jets = patches_.jets({set, patch, 1}, 3, 0);
+  const double* jets = patches_.jets({set, patch, 1}, 3, memory, 0);
   const BasisTable::View values = table.view(0, table.basis);
   Eigen::MatrixXd rows(table.distinct, table.columns);
   for (int s = 0; s < table.distinct; ++s) {

@@ -22,11 +22,11 @@ class ClosenessTerm {
   /// weight times the integral; adds its gradient to that of the energy, if given.
   double evaluate(const Points& control, Points* gradient) const;
   /// The second derivatives of the weighted integral by the points of a patch, the same for x, y and z: columns x
-  /// columns.
-  Eigen::MatrixXd patch(int set, int patch) const;
+  /// columns. Threads with different memory may call at the same time.
+  Eigen::MatrixXd patch(int set, int patch, PatchMemory& memory) const;
 
  private:
-  mutable PatchEvaluator patches_;
+  PatchEvaluator patches_;
   Points own_;
   double weight_;
   Eigen::SparseMatrix<double> mass_;  // the lower triangle of M

@@ -3,8 +3,7 @@
 /// Assembles both matrices in one pass over the patches.
 #include "optimize/hessian_assembly.h"
 
-#include <limits>
-
+#include "base/threads.h"
 #include "optimize/metric_rules.h"
 
 namespace umbilic {
@@ -21,11 +20,14 @@ HessianAssembly::HessianAssembly(const PatchLayout& layout, const Unknowns& unkn
       closeness_(closeness) {
   if (!closeness_) return;
   assembly_.clear(closeness_sums_);
-  PatchCursor all;
-  all.visit(layout, std::numeric_limits<int>::max(), [&](int set, int patch) {
-    assembly_.add_scalar(set, patch, closeness_->patch(set, patch), closeness_sums_);
-    return 0;
-  });
+  PatchMemory memory;
+  PatchTerms terms;
+  for (int set = 0; set < static_cast<int>(layout.sets().size()); ++set) {
+    for (int p = 0; p < layout.sets()[set].count(); ++p) {
+      assembly_.scalar_terms(set, p, closeness_->patch(set, p, memory), terms);
+      assembly_.add(set, p, terms, closeness_sums_);
+    }
+  }
   assembly_.eliminate(closeness_sums_);
 }
 
@@ -60,16 +62,10 @@ bool HessianAssembly::advance() {
       stage_ = Stage::kPatches;
       break;
     }
-    case Stage::kPatches: {
-      const auto add = [&](int set, int patch) {
-        assembly_.add(set, patch, hessian_.patch(set, patch), hessian_.columns(set), hessian_sums_);
-        assembly_.add_scalar(set, patch, sobolev_.patch(set, patch), sobolev_sums_);
-        ++patches_done_;
-        return hessian_.samples(set);
-      };
-      if (cursor_.visit(jets_.layout(), kHessianSamplesPerPart, add)) stage_ = Stage::kReduce;
+    case Stage::kPatches:
+      add_patches();
+      if (cursor_.ended(jets_.layout())) stage_ = Stage::kReduce;
       break;
-    }
     case Stage::kReduce:
       assembly_.eliminate(hessian_sums_);
       assembly_.eliminate(sobolev_sums_);
@@ -85,6 +81,27 @@ bool HessianAssembly::advance() {
     case Stage::kReady: break;
   }
   return stage_ == Stage::kReady;
+}
+
+void HessianAssembly::add_patches() {
+  const std::vector<PatchNumber> part = cursor_.advance(jets_.layout(), samples_at_once(kHessianSamplesPerPart),
+                                                        [&](int set) { return hessian_.samples(set); });
+  memories_.resize(thread_count());
+  terms_.resize(slot_count());
+  in_order(
+      static_cast<int>(part.size()), slot_count(),
+      [&](int i, int slot, int member) {
+        const auto [set, patch] = part[i];
+        Memory& memory = memories_[member];
+        hessian_.patch(set, patch, memory.hessian, memory.block);
+        assembly_.terms(set, patch, memory.block.data(), hessian_.columns(set), terms_[slot].hessian);
+        assembly_.scalar_terms(set, patch, sobolev_.patch(set, patch, memory.sobolev), terms_[slot].sobolev);
+      },
+      [&](int i, int slot) {
+        assembly_.add(part[i].set, part[i].patch, terms_[slot].hessian, hessian_sums_);
+        assembly_.add(part[i].set, part[i].patch, terms_[slot].sobolev, sobolev_sums_);
+      });
+  patches_done_ += static_cast<int>(part.size());
 }
 
 HessianAssembly::Matrix HessianAssembly::combine(double hessian_factor, double sobolev_factor) const {

@@ -8,6 +8,7 @@
 
 #include <Eigen/SparseCore>
 #include <optional>
+#include <vector>
 
 #include "energy/energy_hessian.h"
 #include "optimize/closeness_term.h"
@@ -30,7 +31,7 @@ class HessianAssembly {
   /// Begins to assemble the matrices at a surface with these control points. `parametrization` is the weight of its
   /// density (energy/densities.h).
   void begin(const Points& control, double parametrization = 0);
-  /// Does about as much work as one energy evaluation. Returns whether the matrices are ready.
+  /// Does about as much work as one energy evaluation, shared among threads. Returns whether the matrices are ready.
   bool advance();
 
   /// Fraction of the patches done.
@@ -42,6 +43,18 @@ class HessianAssembly {
   const Eigen::MatrixXd& factors() const { return factors_; }
 
  private:
+  /// What a thread writes while it computes the matrices of a patch.
+  struct Memory {
+    HessianMemory hessian;
+    SobolevMemory sobolev;
+    std::vector<double> block;
+  };
+  /// What a patch adds to both sums.
+  struct Terms {
+    PatchTerms hessian, sobolev;
+  };
+  void add_patches();
+
   const Unknowns& unknowns_;
   JetEvaluator jets_;
   SurfaceEnergy energy_;  // with the Hessian's quadrature rule, so that scaling stays in its kernel
@@ -55,6 +68,8 @@ class HessianAssembly {
   double parametrization_ = 0;
   PatchCursor cursor_;
   int patches_done_ = 0;
+  std::vector<Memory> memories_;  // of each thread
+  std::vector<Terms> terms_;      // in each slot
   const ClosenessTerm* closeness_;
   PatchSums hessian_sums_, sobolev_sums_, closeness_sums_;  // the last are constant
   Matrix reduced_hessian_, reduced_sobolev_;                // used if the unknowns are those of a coarser mesh

@@ -3,6 +3,7 @@
 /// The constants of the metrics, and the reasons for their values.
 #pragma once
 
+#include "base/threads.h"
 #include "surface/quadrature.h"
 
 namespace umbilic {
@@ -42,5 +43,10 @@ inline constexpr double kMassWaves = 10;
 /// Samples that one part of the work on a metric processes, so that it costs about one energy evaluation.
 inline constexpr int kHessianSamplesPerPart = 300;
 inline constexpr int kSobolevSamplesPerPart = 3000;
+/// With several threads so many times as much for each, that calling them costs little.
+inline constexpr int kPartsPerThread = 8;
+inline int samples_at_once(int samples_per_part) {
+  return thread_count() == 1 ? samples_per_part : kPartsPerThread * thread_count() * samples_per_part;
+}
 
 }  // namespace umbilic

@@ -218,20 +218,18 @@ void PatchAssembly::scatter(int row, int column, int first_row, bool one_place, 
 }
 
 template <class Block>
-void PatchAssembly::add_block(int set, int patch, const Block& block, PatchSums& sums) const {
+void PatchAssembly::terms_of(int set, int patch, const Block& block, PatchTerms& terms) const {
   const PatchSet& patches = layout_.sets()[set];
   const int* points = patches.points_of(patch);
   const double multiplicity = patches.multiplicities[patch];
   const int count = net_count(patches);
-  const int* first_row = &rows_[set][static_cast<std::size_t>(patch) * count * (count + 1) / 2];
+  terms.pairs.resize(static_cast<std::size_t>(count) * (count + 1) / 2);
+  Eigen::Matrix3d* pair = terms.pairs.data();
   for (int i = 0; i < count; ++i) {
-    const int row = orbit_of_[points[i]];
     const Coordinates::Block& left = blocks_[points[i]];
-    for (int j = 0; j <= i; ++j, ++first_row) {
-      const int column = orbit_of_[points[j]];
-      if (*first_row < 0) continue;
+    for (int j = 0; j <= i; ++j, ++pair) {
       const Coordinates::Block& right = blocks_[points[j]];
-      Eigen::Matrix3d half, reduced;  // entries right.basis, and left.basis^T entries right.basis
+      Eigen::Matrix3d half;  // entries right.basis; the pair is left.basis^T entries right.basis
       for (int c = 0; c < coordinates(); ++c) {
         for (int k = 0; k < right.dimension; ++k) {
           double sum = 0;
@@ -247,27 +245,25 @@ void PatchAssembly::add_block(int set, int patch, const Block& block, PatchSums&
         for (int l = 0; l < left.dimension; ++l) {
           double sum = 0;
           for (int c = 0; c < coordinates(); ++c) sum += left.basis(c, l) * half(c, k);
-          reduced(l, k) = sum;
+          (*pair)(l, k) = sum;
         }
       }
-      scatter(row, column, *first_row, i == j, reduced, sums.values);
     }
   }
-  if (coefficient_count(patches.kind.shape) > 0) add_coefficients(set, patch, block, sums);
+  if (coefficient_count(patches.kind.shape) > 0) coefficient_terms(set, patch, block, terms);
 }
 
 template <class Block>
-void PatchAssembly::add_coefficients(int set, int patch, const Block& block, PatchSums& sums) const {
+void PatchAssembly::coefficient_terms(int set, int patch, const Block& block, PatchTerms& terms) const {
   const PatchSet& patches = layout_.sets()[set];
   const int* points = patches.points_of(patch);
   const Cap& cap = layout_.caps()[patches.caps[patch]];
-  const Elimination& elimination = eliminations_[patches.caps[patch]];
-  PatchSums::CapSums& waiting = sums.caps[patches.caps[patch]];
   const int count = coefficient_count(cap.shape), net = net_count(patches);
   const int sector = (points[net] - cap.first_coefficient) / count;
   const Eigen::MatrixXd turn = patches.multiplicities[patch] * sector_of(cap).turn(sector);
   const Eigen::MatrixXd turn_back = sector_of(cap).turn(sector).transpose();
   Eigen::MatrixXd part(count, count), mixed(count, net);
+  terms.own.setZero(coordinates() * count, coordinates() * count);
   for (int c = 0; c < coordinates(); ++c) {
     for (int e = 0; e < coordinates(); ++e) {
       if (Block::kSameForAllCoordinates && c != e) continue;
@@ -281,24 +277,55 @@ void PatchAssembly::add_coefficients(int set, int patch, const Block& block, Pat
         }
         mixed = (turn.transpose() * mixed).eval();
       }
-      waiting.own.block(c * count, e * count, count, count) += part;
-      for (int i = 0; i < net; ++i) {
-        const Coordinates::Block& unknowns = blocks_[points[i]];
-        const int first = index_in(elimination.unknowns, unknowns.first);
-        for (int k = 0; k < unknowns.dimension; ++k) {
-          waiting.mixed.col(first + k).segment(c * count, count) += unknowns.basis(e, k) * mixed.col(i);
-        }
-      }
+      terms.own.block(c * count, e * count, count, count) = part;
+      terms.mixed[3 * c + e] = mixed;
     }
   }
 }
 
-void PatchAssembly::add(int set, int patch, const double* block, int columns, PatchSums& sums) const {
-  add_block(set, patch, FullBlock{block, columns}, sums);
+void PatchAssembly::terms(int set, int patch, const double* block, int columns, PatchTerms& terms) const {
+  terms_of(set, patch, FullBlock{block, columns}, terms);
 }
 
-void PatchAssembly::add_scalar(int set, int patch, const Eigen::MatrixXd& block, PatchSums& sums) const {
-  add_block(set, patch, ScalarBlock{block}, sums);
+void PatchAssembly::scalar_terms(int set, int patch, const Eigen::MatrixXd& block, PatchTerms& terms) const {
+  terms_of(set, patch, ScalarBlock{block}, terms);
+}
+
+void PatchAssembly::add(int set, int patch, const PatchTerms& terms, PatchSums& sums) const {
+  const PatchSet& patches = layout_.sets()[set];
+  const int* points = patches.points_of(patch);
+  const int count = net_count(patches);
+  const int* first_row = &rows_[set][static_cast<std::size_t>(patch) * terms.pairs.size()];
+  const Eigen::Matrix3d* pair = terms.pairs.data();
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j <= i; ++j, ++first_row, ++pair) {
+      if (*first_row < 0) continue;
+      scatter(orbit_of_[points[i]], orbit_of_[points[j]], *first_row, i == j, *pair, sums.values);
+    }
+  }
+  if (coefficient_count(patches.kind.shape) > 0) add_coefficients(set, patch, terms, sums);
+}
+
+void PatchAssembly::add_coefficients(int set, int patch, const PatchTerms& terms, PatchSums& sums) const {
+  const PatchSet& patches = layout_.sets()[set];
+  const int* points = patches.points_of(patch);
+  const Elimination& elimination = eliminations_[patches.caps[patch]];
+  PatchSums::CapSums& waiting = sums.caps[patches.caps[patch]];
+  const int count = coefficient_count(patches.kind.shape);
+  waiting.own += terms.own;
+  std::vector<int> first(net_count(patches));  // of each control point's unknowns among those of the cap's net
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] = index_in(elimination.unknowns, blocks_[points[i]].first);
+  for (int c = 0; c < coordinates(); ++c) {
+    for (int e = 0; e < coordinates(); ++e) {
+      const Eigen::MatrixXd& mixed = terms.mixed[3 * c + e];
+      for (Eigen::Index i = 0; i < mixed.cols(); ++i) {
+        const Coordinates::Block& unknowns = blocks_[points[i]];
+        for (int k = 0; k < unknowns.dimension; ++k) {
+          waiting.mixed.col(first[i] + k).segment(c * count, count) += unknowns.basis(e, k) * mixed.col(i);
+        }
+      }
+    }
+  }
 }
 
 void PatchAssembly::eliminate(PatchSums& sums) const {

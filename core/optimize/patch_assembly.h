@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <array>
 #include <vector>
 
 #include "mesh/coordinates.h"
@@ -11,23 +12,39 @@
 
 namespace umbilic {
 
-/// Iterates over the patches of a layout, a part at a time.
-struct PatchCursor {
-  int set = 0;
-  int patch = 0;
+/// A patch of a layout.
+struct PatchNumber {
+  int set, patch;
+};
 
-  /// Calls `add(set, patch)`, which returns the cost, until `budget` is used up. Returns whether all patches are done.
-  template <class Add>
-  bool visit(const PatchLayout& layout, int budget, const Add& add) {
-    while (budget > 0 && set < static_cast<int>(layout.sets().size())) {
-      budget -= add(set, patch);
-      if (++patch == layout.sets()[set].count()) {
-        ++set;
-        patch = 0;
-      }
+/// Goes through the patches of a layout, a part at a time.
+class PatchCursor {
+ public:
+  /// The next patches: as many as it takes for their costs to reach `budget`, or all that are left.
+  template <class Cost>
+  std::vector<PatchNumber> advance(const PatchLayout& layout, int budget, const Cost& cost_in_set) {
+    std::vector<PatchNumber> part;
+    for (; budget > 0 && !ended(layout); budget -= cost_in_set(part.back().set)) {
+      part.push_back(next_);
+      if (++next_.patch == layout.sets()[next_.set].count()) next_ = {next_.set + 1, 0};
     }
-    return set == static_cast<int>(layout.sets().size());
+    return part;
   }
+  bool ended(const PatchLayout& layout) const { return next_.set == static_cast<int>(layout.sets().size()); }
+
+ private:
+  PatchNumber next_{0, 0};
+};
+
+/// What a patch adds to the sums of a PatchAssembly.
+struct PatchTerms {
+  /// For each pair of its control points, in the order of the rows of a lower triangle: their unknowns' block, as far
+  /// as both have any.
+  std::vector<Eigen::Matrix3d> pairs;
+  /// If the patch has coefficients, those of the cap's: their own block, and for each pair (c, e) of coordinates, at
+  /// [3 c + e], the blocks between coordinate c of the coefficients and coordinate e of the control points.
+  Eigen::MatrixXd own;                   ///< coefficients x coefficients
+  std::array<Eigen::MatrixXd, 9> mixed;  ///< coefficients of one coordinate x control points
 };
 
 /// The sums of a PatchAssembly over the patches added so far.
@@ -56,12 +73,15 @@ class PatchAssembly {
 
   /// Sets the sums to zero.
   void clear(PatchSums& sums) const;
-  /// Adds a patch's matrix. `block` is 3 columns x 3 columns, row-major, over the coordinates c * columns + i of the
-  /// patch's points i. Of the entries ((c, i), (e, j)) only those with c > e, or c == e and i >= j, are read. `columns`
-  /// may exceed the set's.
-  void add(int set, int patch, const double* block, int columns, PatchSums& sums) const;
-  /// Adds a matrix over the patch's points that is the same for all three coordinates. Only i >= j is read of `block`.
-  void add_scalar(int set, int patch, const Eigen::MatrixXd& block, PatchSums& sums) const;
+  /// What a patch's matrix adds to the sums. `block` is 3 columns x 3 columns, row-major, over the coordinates
+  /// c * columns + i of the patch's points i. Of the entries ((c, i), (e, j)) only those with c > e, or c == e and i >=
+  /// j, are read. `columns` may exceed the set's. Several threads may call this at the same time.
+  void terms(int set, int patch, const double* block, int columns, PatchTerms& terms) const;
+  /// The same of a matrix over the patch's points that is the same for all three coordinates. Only i >= j is read of
+  /// `block`.
+  void scalar_terms(int set, int patch, const Eigen::MatrixXd& block, PatchTerms& terms) const;
+  /// Adds the terms of a patch.
+  void add(int set, int patch, const PatchTerms& terms, PatchSums& sums) const;
   /// Adds what was summed per cap to the values. Call once, after all patches.
   void eliminate(PatchSums& sums) const;
 
@@ -91,9 +111,10 @@ class PatchAssembly {
   int coordinates() const { return scalar_ ? 1 : 3; }
 
   template <class Block>
-  void add_block(int set, int patch, const Block& block, PatchSums& sums) const;
+  void terms_of(int set, int patch, const Block& block, PatchTerms& terms) const;
   template <class Block>
-  void add_coefficients(int set, int patch, const Block& block, PatchSums& sums) const;
+  void coefficient_terms(int set, int patch, const Block& block, PatchTerms& terms) const;
+  void add_coefficients(int set, int patch, const PatchTerms& terms, PatchSums& sums) const;
   /// Adds the block between two orbits, and its transpose unless both are the same point of the patch (`one_place`).
   /// `first_row` as in `rows_`.
   void scatter(int row, int column, int first_row, bool one_place, const Eigen::Matrix3d& block,

@@ -3,6 +3,7 @@
 /// Assembles the Sobolev matrix in parts.
 #include "optimize/sobolev.h"
 
+#include "base/threads.h"
 #include "optimize/gauge.h"
 #include "optimize/metric_rules.h"
 
@@ -31,15 +32,10 @@ bool SobolevMetric::advance() {
       cursor_ = {};
       stage_ = Stage::kPatches;
       break;
-    case Stage::kPatches: {
-      const auto add = [&](int set, int patch) {
-        assembly_.add_scalar(set, patch, form_.patch(set, patch), sums_);
-        if (closeness_) assembly_.add_scalar(set, patch, closeness_->patch(set, patch), sums_);
-        return form_.samples(set);
-      };
-      if (cursor_.visit(energy_.layout(), kSobolevSamplesPerPart, add)) stage_ = Stage::kSum;
+    case Stage::kPatches:
+      add_patches();
+      if (cursor_.ended(energy_.layout())) stage_ = Stage::kSum;
       break;
-    }
     case Stage::kSum: {
       assembly_.eliminate(sums_);
       Eigen::SparseMatrix<double> matrix = assembly_.lower(sums_.values);
@@ -59,6 +55,26 @@ bool SobolevMetric::advance() {
     case Stage::kReady: break;
   }
   return stage_ == Stage::kReady;
+}
+
+void SobolevMetric::add_patches() {
+  const std::vector<PatchNumber> part = cursor_.advance(energy_.layout(), samples_at_once(kSobolevSamplesPerPart),
+                                                        [&](int set) { return form_.samples(set); });
+  memories_.resize(thread_count());
+  terms_.resize(slot_count());
+  in_order(
+      static_cast<int>(part.size()), slot_count(),
+      [&](int i, int slot, int member) {
+        const auto [set, patch] = part[i];
+        assembly_.scalar_terms(set, patch, form_.patch(set, patch, memories_[member].sobolev), terms_[slot].sobolev);
+        if (!closeness_) return;
+        assembly_.scalar_terms(set, patch, closeness_->patch(set, patch, memories_[member].closeness),
+                               terms_[slot].closeness);
+      },
+      [&](int i, int slot) {
+        assembly_.add(part[i].set, part[i].patch, terms_[slot].sobolev, sums_);
+        if (closeness_) assembly_.add(part[i].set, part[i].patch, terms_[slot].closeness, sums_);
+      });
 }
 
 Eigen::VectorXd SobolevMetric::solve(const Eigen::VectorXd& gradient) const {

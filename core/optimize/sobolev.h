@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "optimize/closeness_term.h"
 #include "optimize/gauge.h"
@@ -38,6 +39,17 @@ class SobolevMetric : public SurfaceMetric {
  private:
   Eigen::VectorXd solve_freely(const Eigen::VectorXd& gradient) const;
 
+  /// What a thread writes while it computes the matrix of a patch.
+  struct Memory {
+    SobolevMemory sobolev;
+    PatchMemory closeness;
+  };
+  /// What a patch adds to the sums.
+  struct Terms {
+    PatchTerms sobolev, closeness;
+  };
+  void add_patches();
+
   enum class Stage { kArea, kPatches, kSum, kFactor, kReady };
 
   const SurfaceEnergy& energy_;
@@ -51,6 +63,8 @@ class SobolevMetric : public SurfaceMetric {
   Stage stage_ = Stage::kArea;
   Points control_;
   PatchCursor cursor_;
+  std::vector<Memory> memories_;  // of each thread
+  std::vector<Terms> terms_;      // in each slot
   PatchSums sums_;
   TangentProjection fixed_size_;
 };

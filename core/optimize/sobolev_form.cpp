@@ -38,10 +38,11 @@ void SobolevForm::move_to(const Points& control, double area) {
   area_ = area;
 }
 
-Eigen::MatrixXd SobolevForm::patch(int set, int patch) {
+Eigen::MatrixXd SobolevForm::patch(int set, int patch, SobolevMemory& memory) const {
   const BasisTable& table = patches_.basis(set).table();
   const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>> jets(
-      patches_.jets({set, patch, 1}, kThirdOrderCount), static_cast<Eigen::Index>(kThirdOrderCount) * table.samples, 3);
+      patches_.jets({set, patch, 1}, kThirdOrderCount, memory.patches),
+      static_cast<Eigen::Index>(kThirdOrderCount) * table.samples, 3);
   const BasisTable::View values = table.view(0, table.along_normal()),
                          derivatives = table.view(1, table.along_normal());
   const double length = kMassWaves / std::sqrt(area_);
@@ -72,9 +73,9 @@ Eigen::MatrixXd SobolevForm::patch(int set, int patch) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(table.columns, table.columns);
   weights = -weights;
   const SolveKernels& kernels = solve_kernels();
-  double* scratch = reserve(scratch_, kernels.scratch_size(table.columns));
+  double* scratch = reserve(memory.scratch, kernels.scratch_size(table.columns));
   const DenseFactor transposed{rows.data(), table.columns, table.columns, static_cast<int>(rows.rows())};
-  kernels.subtract_product(transposed, weights.data(), result.data(), scratch);
+  kernels.subtract_product(transposed, weights.data(), 0, table.columns, result.data(), scratch);
   return result;
 }
 

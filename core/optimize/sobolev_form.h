@@ -14,6 +14,12 @@
 
 namespace umbilic {
 
+/// What the form writes while it computes the matrix of a patch: one for each thread that does.
+struct SobolevMemory {
+  PatchMemory patches;
+  AlignedDoubles scratch;
+};
+
 class SobolevForm {
  public:
   /// `layout` must outlive the form.
@@ -22,15 +28,15 @@ class SobolevForm {
   /// Chooses the surface. `area` is its area.
   void move_to(const Points& control, double area);
 
-  /// The lower triangle of the matrix over the local points of a patch of the layout.
-  Eigen::MatrixXd patch(int set, int patch);
+  /// The lower triangle of the matrix over the local points of a patch of the layout. Threads with different memory may
+  /// call at the same time.
+  Eigen::MatrixXd patch(int set, int patch, SobolevMemory& memory) const;
   int samples(int set) const { return patches_.basis(set).table().distinct; }
 
  private:
   PatchEvaluator patches_;
   double second_, third_;
   double area_ = 1;
-  AlignedDoubles scratch_;
 };
 
 }  // namespace umbilic

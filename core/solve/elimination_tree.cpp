@@ -239,6 +239,9 @@ void EliminationTree::locate_entries(const Matrix& lower) {
           {source, (column - node.first) * node.height() + (within < node.width ? within : below())});
     }
   }
+  for (std::vector<Entry>& entries : entries_) {
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.target < b.target; });
+  }
 }
 
 }  // namespace umbilic

@@ -47,7 +47,7 @@ class EliminationTree {
     int source;
     int target;
   };
-  /// The entries of each supernode.
+  /// The entries of each supernode, in the order of their targets.
   const std::vector<std::vector<Entry>>& entries() const { return entries_; }
 
  private:

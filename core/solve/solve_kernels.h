@@ -21,10 +21,16 @@ struct DenseFactor {
   int leading, rows, columns;
 };
 
+/// Columns of a panel that are eliminated before all later ones are updated at once.
+inline constexpr int kPanelBlock = 16;
+
 /// Each function is documented where it is declared, in kernels/dense_elimination.h.
 struct SolveKernels {
   bool (*eliminate_panel)(const DensePanel& panel, bool positive, double* pivots, double* scratch);
-  void (*subtract_product)(const DenseFactor& factor, const double* diagonal, double* out, double* scratch);
+  bool (*eliminate_block)(const DensePanel& panel, int first, bool positive, double* pivots);
+  void (*subtract_block)(const DensePanel& panel, int first, const double* pivots, int begin, int end, double* scratch);
+  void (*subtract_product)(const DenseFactor& factor, const double* diagonal, int begin, int end, double* out,
+                           double* scratch);
   std::size_t (*scratch_size)(int height);
 };
 

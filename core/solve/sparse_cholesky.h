@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Multifrontal L D L^T factorization of a sparse symmetric matrix, done in parts of bounded work.
+/// Multifrontal L D L^T factorization of a sparse symmetric matrix, done in parts of bounded work and shared among
+/// threads.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <vector>
 
 #include "base/aligned_doubles.h"
+#include "base/threads.h"
 #include "solve/elimination_tree.h"
+#include "solve/reused_memory.h"
+#include "solve/solve_kernels.h"
+#include "solve/tree_split.h"
 
 namespace umbilic {
 
 /// P A P^T = L D L^T, L unit lower triangular, D diagonal, without pivoting. P and the pattern of L are computed once
 /// and reused while A's pattern stays the same.
+///
+/// Threads eliminate subtrees of the elimination tree at the same time, then together one supernode after the other at
+/// its top. What a supernode subtracts is always computed and summed in the same order, so that any number of threads
+/// gives the same bits.
 class SparseCholesky {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -25,7 +38,8 @@ class SparseCholesky {
 
   /// Begins to factor the matrix with this lower triangle.
   void begin(Matrix lower);
-  /// Does about 1e8 floating-point operations. Returns whether the factorization has ended, successfully or not.
+  /// Does about 1e8 floating-point operations, or with several threads the subtrees or 1e9 for each thread. Returns
+  /// whether the factorization has ended, successfully or not.
   bool advance();
   /// Fraction of the floating-point operations that are done.
   double progress() const;
@@ -43,9 +57,25 @@ class SparseCholesky {
  private:
   enum class Stage { kFactoring, kFactored, kFailed };
 
-  AlignedDoubles take_memory(std::size_t size);
-  void assemble(const Supernode& node, double* panel, double* update);
-  bool eliminate(int supernode);
+  struct Step;
+  struct Steps;
+
+  DensePanel panel_of(const Supernode& node) { return {panels_.data() + node.panel, node.height(), node.width}; }
+  void eliminate_subtrees();
+  void eliminate_top();
+  void take_step(const Step& step, int piece, RisingNumber& blocks, AlignedDoubles& memory);
+  void fail(RisingNumber& blocks);
+  void eliminate(int supernode, AlignedDoubles& memory);
+  void begin_update(int supernode);
+  void assemble(int supernode, int begin, int end);
+  void end_assembly(int supernode);
+  void eliminate_columns(const Step& step, int begin, int end, RisingNumber& blocks, double* scratch);
+  void subtract_product(int supernode, int begin, int end, double* scratch);
+
+  template <class Right>
+  void eliminate_right(const Supernode& node, int rows, Right& right, Right& rest) const;
+  template <class Right>
+  void substitute_back(const Supernode& node, Right& right, Right& coupled) const;
   template <class Right>
   void solve_in_place(Right& right) const;
 
@@ -53,14 +83,22 @@ class SparseCholesky {
   Matrix lower_;
   EliminationTree tree_;
   Stage stage_ = Stage::kFailed;
-  int next_ = 0;  ///< next supernode to eliminate
+  TreeSplit split_;
+  int sharing_ = 0;  ///< number of threads that the tree is split for
+  bool subtrees_done_ = true;
+  std::size_t next_ = 0;  ///< next supernode to eliminate, of those at the top
   double flops_ = 0, flops_done_ = 0;
   std::vector<double> panels_;
   /// Of each supernode: the lower triangle that its parent will add, column-major, until it has done so.
   std::vector<AlignedDoubles> updates_;
-  std::vector<AlignedDoubles> free_;  ///< memory of updates that have been added
-  Eigen::VectorXd pivot_;             ///< D
-  AlignedDoubles scratch_;
+  /// What several threads use at the same time.
+  struct Shared {
+    std::atomic<bool> failed = false;
+    ReusedMemory memory;
+  };
+  std::unique_ptr<Shared> shared_ = std::make_unique<Shared>();
+  Eigen::VectorXd pivot_;                ///< D
+  std::vector<AlignedDoubles> scratch_;  ///< of each thread
 };
 
 }  // namespace umbilic

@@ -20,9 +20,11 @@ struct AdjointChannel {
   int derivatives;
 };
 
-using JetVisitor = std::function<void(const JetBlock&)>;
+/// Receives the number of each block, too. Blocks may come in any order and on several threads at the same time.
+using JetVisitor = std::function<void(int number, const JetBlock& block)>;
 
-/// Reuses its working memory between evaluations, so only one thread may evaluate at a time.
+/// Shares an evaluation among threads (base/threads.h). Reuses its working memory between evaluations, so there may be
+/// only one at a time.
 class JetEvaluator {
  public:
   /// `layout` must outlive the evaluator.
@@ -30,8 +32,12 @@ class JetEvaluator {
 
   const PatchLayout& layout() const { return patches_.layout(); }
 
-  /// Calls `visit` with blocks that cover each patch once, in a fixed order. `derivatives` is 5 or 9. For each channel,
-  /// `gradients` receives the pullback of its adjoint to the control points, control_count x 3.
+  /// Number of blocks in an evaluation.
+  int block_count() const { return static_cast<int>(patches_.ranges().size()); }
+
+  /// Calls `visit` with blocks that cover each patch once, always the same. `derivatives` is 5 or 9. For each channel,
+  /// `gradients` receives the pullback of its adjoint to the control points, control_count x 3, summed in the order of
+  /// the blocks' numbers.
   void evaluate(const Points& control, int derivatives, std::span<const AdjointChannel> channels,
                 const JetVisitor& visit, std::vector<Points>& gradients) const;
 
@@ -41,14 +47,22 @@ class JetEvaluator {
   std::size_t table_bytes() const;
 
  private:
-  struct Channel {
-    AlignedDoubles adjoint;  // for one block
-    PatchAdjoint sum;
+  /// What a thread writes while it evaluates a block.
+  struct Memory {
+    PatchMemory patches;
+    std::vector<AlignedDoubles> adjoints;  // of each channel
+    std::vector<double*> starts;           // of these, for JetBlock::adjoints
   };
 
+  void reserve_memory(std::size_t channels) const;
+  void evaluate_block(int number, int derivatives, std::span<const AdjointChannel> channels, const JetVisitor& visit,
+                      Memory& memory, std::vector<RangeAdjoint>& pulled_back) const;
+
   mutable PatchEvaluator patches_;
-  mutable std::vector<Channel> channels_;  // never shrinks, so that each keeps its memory
-  mutable std::vector<double*> adjoints_;  // pointers for JetBlock::adjoints
+  // They never shrink, so that each keeps its memory.
+  mutable std::vector<Memory> memories_;                        // of each thread
+  mutable std::vector<std::vector<RangeAdjoint>> pulled_back_;  // in each slot, of each channel
+  mutable std::vector<PatchAdjoint> sums_;                      // of each channel
 };
 
 }  // namespace umbilic

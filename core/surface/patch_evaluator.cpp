@@ -19,34 +19,49 @@ constexpr int kSamplesAtATime = 256;
 }  // namespace
 
 PatchEvaluator::PatchEvaluator(const PatchLayout& layout, const BasisOf& basis_of) : layout_(layout) {
-  for (const PatchSet& set : layout.sets()) bases_.push_back(basis_of(set.kind));
+  for (const PatchSet& patches : layout.sets()) {
+    bases_.push_back(basis_of(patches.kind));
+    const int number = set_count() - 1, step = std::max(2, kSamplesAtATime / bases_.back().samples());
+    for (int first = 0; first < patches.count(); first += step) {
+      ranges_.push_back({number, first, std::min(step, patches.count() - first)});
+    }
+  }
 }
 
-int PatchEvaluator::patches_at_a_time(int set) const { return std::max(2, kSamplesAtATime / bases_[set].samples()); }
-
 void PatchEvaluator::move_to(const Points& control) {
-  kernels_ = &surface_kernels();
   layout_.extend(control, points_);
   flat_frames(layout_, points_, frames_);
 }
 
-const double* PatchEvaluator::jets(PatchRange range, int derivatives, int from) {
-  range_ = range;
-  derivatives_ = derivatives;
-  from_ = from;
+const double* PatchEvaluator::jets(PatchRange range, int derivatives, PatchMemory& memory, int from) const {
+  memory.range = range;
+  memory.derivatives = derivatives;
+  memory.from = from;
   const PatchBasis& basis = bases_[range.set];
   const int rows = derivatives * basis.samples();
-  double* jets = reserve(jets_, static_cast<std::size_t>(3) * rows * range.count);
+  double* jets = reserve(memory.jets, static_cast<std::size_t>(3) * rows * range.count);
   if (basis.regular()) {
     assert(from == 1);
-    regular_jets();
+    regular_jets(memory);
   } else {
-    gather();
+    gather(memory);
     const DenseTable table = basis.table().from(from, basis.table().basis);
-    kernels_->dense_product(table, rows, local_.data(), 3 * range.count, jets);
-    if (flat()) flatten();
+    surface_kernels().dense_product(table, rows, memory.local.data(), 3 * range.count, jets);
+    if (flat(range)) flatten(memory);
   }
   return jets;
+}
+
+void PatchEvaluator::pull_back(const double* adjoint, int derivatives, PatchMemory& memory,
+                               RangeAdjoint& result) const {
+  assert(memory.from == 1 && derivatives <= memory.derivatives);
+  const PatchRange range = memory.range;
+  if (bases_[range.set].regular()) return pull_back_regular(adjoint, derivatives, memory, result);
+  const BasisTable& table = bases_[range.set].table();
+  double* points = reserve(result.points, static_cast<std::size_t>(3) * table.columns * range.count);
+  surface_kernels().dense_transposed_product(table.from(1, table.basis), derivatives * table.samples, adjoint,
+                                             3 * range.count, points);
+  if (flat(range)) pull_back_flattening(adjoint, derivatives, memory, result);
 }
 
 void PatchEvaluator::clear(PatchAdjoint& sum) const {
@@ -54,12 +69,17 @@ void PatchEvaluator::clear(PatchAdjoint& sum) const {
   sum.normals.assign(frames_.size(), Vector3::Zero());
 }
 
-void PatchEvaluator::pull_back(const double* adjoint, int derivatives, PatchAdjoint& sum) {
-  assert(from_ == 1 && derivatives <= derivatives_);
-  if (bases_[range_.set].regular()) {
-    pull_back_regular(adjoint, derivatives, sum.points);
-  } else {
-    pull_back_table(adjoint, derivatives, sum);
+void PatchEvaluator::add(PatchRange range, const RangeAdjoint& adjoint, PatchAdjoint& sum) const {
+  const PatchSet& patches = set(range);
+  const bool by_patch = bases_[range.set].regular() != nullptr;
+  const int next_patch = by_patch ? patches.columns : 1, next_point = by_patch ? 1 : range.count;
+  for (int p = 0; p < range.count; ++p) {
+    const int* index = patches.points_of(range.first + p);
+    for (int i = 0; i < patches.columns; ++i) {
+      const double* local = adjoint.points.data() + static_cast<std::size_t>(3) * (next_patch * p + next_point * i);
+      for (int c = 0; c < 3; ++c) sum.points(index[i], c) += local[c];
+    }
+    if (flat(range)) sum.normals[patches.caps[range.first + p]] += adjoint.normals[p];
   }
 }
 
@@ -71,108 +91,101 @@ void PatchEvaluator::finish(PatchAdjoint& sum, Points& gradient) const {
   gradient = sum.points.topRows(layout_.control_count());
 }
 
-void PatchEvaluator::regular_jets() {
-  const RegularKernel& kernel = *bases_[range_.set].regular();
-  const std::size_t stride = static_cast<std::size_t>(3) * derivatives_ * kernel.samples();
-  for (int p = 0; p < range_.count; ++p) {
-    const int* index = set().points_of(range_.first + p);
+void PatchEvaluator::regular_jets(PatchMemory& memory) const {
+  const PatchRange range = memory.range;
+  const RegularKernel& kernel = *bases_[range.set].regular();
+  const std::size_t stride = static_cast<std::size_t>(3) * memory.derivatives * kernel.samples();
+  double* scratch = reserve(memory.scratch, kernel.scratch_size());
+  for (int p = 0; p < range.count; ++p) {
+    const int* index = set(range).points_of(range.first + p);
     double local[48];
     for (int i = 0; i < 16; ++i) {
       for (int c = 0; c < 3; ++c) local[3 * i + c] = points_(index[i], c);
     }
-    kernel.jets(local, derivatives_, jets_.data() + p * stride);
+    kernel.jets(local, memory.derivatives, memory.jets.data() + p * stride, scratch);
   }
 }
 
-void PatchEvaluator::pull_back_regular(const double* adjoint, int derivatives, Points& gradient) {
-  const RegularKernel& kernel = *bases_[range_.set].regular();
+/// The points' adjoints are those of one patch after the other, [p][i][c].
+void PatchEvaluator::pull_back_regular(const double* adjoint, int derivatives, PatchMemory& memory,
+                                       RangeAdjoint& result) const {
+  const PatchRange range = memory.range;
+  const RegularKernel& kernel = *bases_[range.set].regular();
   const std::size_t stride = static_cast<std::size_t>(3) * derivatives * kernel.samples();
-  for (int p = 0; p < range_.count; ++p) {
-    double local[48] = {};
-    kernel.pull_back(adjoint + p * stride, derivatives, local);
-    const int* index = set().points_of(range_.first + p);
-    for (int i = 0; i < 16; ++i) {
-      for (int c = 0; c < 3; ++c) gradient(index[i], c) += local[3 * i + c];
-    }
-  }
+  double* points = reserve(result.points, static_cast<std::size_t>(48) * range.count);
+  double* scratch = reserve(memory.scratch, kernel.scratch_size());
+  std::fill_n(points, 48 * range.count, 0.0);
+  for (int p = 0; p < range.count; ++p) kernel.pull_back(adjoint + p * stride, derivatives, points + 48 * p, scratch);
 }
 
-void PatchEvaluator::gather() {
-  const int columns = set().columns, count = range_.count;
-  reserve(local_, static_cast<std::size_t>(3) * columns * count);
+/// The points of all patches, [i][p][c], as a table's product needs them and its transpose leaves them.
+void PatchEvaluator::gather(PatchMemory& memory) const {
+  const PatchRange range = memory.range;
+  const int columns = set(range).columns, count = range.count;
+  reserve(memory.local, static_cast<std::size_t>(3) * columns * count);
   for (int p = 0; p < count; ++p) {
-    const int* index = set().points_of(range_.first + p);
+    const int* index = set(range).points_of(range.first + p);
     for (int i = 0; i < columns; ++i) {
-      double* local = local_.data() + 3 * (count * i + p);
+      double* local = memory.local.data() + 3 * (count * i + p);
       for (int c = 0; c < 3; ++c) local[c] = points_(index[i], c);
     }
   }
 }
 
-void PatchEvaluator::pull_back_table(const double* adjoint, int derivatives, PatchAdjoint& sum) {
-  const BasisTable& table = bases_[range_.set].table();
-  const int rows = derivatives * table.samples, columns = table.columns, count = range_.count;
-  double* local = reserve(local_gradient_, static_cast<std::size_t>(3) * columns * count);
-  kernels_->dense_transposed_product(table.from(1, table.basis), rows, adjoint, 3 * count, local);
-  if (flat()) pull_back_flattening(adjoint, derivatives, sum.normals);
+void PatchEvaluator::flatten(PatchMemory& memory) const {
+  const PatchRange range = memory.range;
+  const BasisTable& table = bases_[range.set].table();
+  const int rows = memory.derivatives * table.samples, columns = table.columns, count = range.count;
+  double* along = reserve(memory.along_normal, static_cast<std::size_t>(columns) * count);
+  double* all_heights = reserve(memory.heights, static_cast<std::size_t>(rows) * count);
   for (int p = 0; p < count; ++p) {
-    const int* index = set().points_of(range_.first + p);
+    const Vector3& n = normal_at(range, p);
     for (int i = 0; i < columns; ++i) {
-      for (int c = 0; c < 3; ++c) sum.points(index[i], c) += local[3 * (count * i + p) + c];
+      const double* local = memory.local.data() + 3 * (count * i + p);
+      along[count * i + p] = local[0] * n[0] + local[1] * n[1] + local[2] * n[2];
     }
   }
-}
-
-void PatchEvaluator::flatten() {
-  const BasisTable& table = bases_[range_.set].table();
-  const int rows = derivatives_ * table.samples, columns = table.columns, count = range_.count;
-  reserve(along_normal_, static_cast<std::size_t>(columns) * count);
-  reserve(heights_, static_cast<std::size_t>(rows) * count);
+  const DenseTable flattening = table.from(memory.from, table.flattening);
+  surface_kernels().dense_product(flattening, rows, along, count, all_heights);
   for (int p = 0; p < count; ++p) {
-    const Vector3& n = frames_[cap(p)].normal;
-    for (int i = 0; i < columns; ++i) {
-      const double* local = local_.data() + 3 * (count * i + p);
-      along_normal_[count * i + p] = local[0] * n[0] + local[1] * n[1] + local[2] * n[2];
-    }
-  }
-  const DenseTable flattening = table.from(from_, table.flattening);
-  kernels_->dense_product(flattening, rows, along_normal_.data(), count, heights_.data());
-  for (int p = 0; p < count; ++p) {
-    const Vector3& n = frames_[cap(p)].normal;
-    const double* heights = heights_.data() + static_cast<std::size_t>(p) * rows;
+    const Vector3& n = normal_at(range, p);
+    const double* heights = all_heights + static_cast<std::size_t>(p) * rows;
     for (int c = 0; c < 3; ++c) {
-      double* jets = jets_.data() + static_cast<std::size_t>(3 * p + c) * rows;
+      double* jets = memory.jets.data() + static_cast<std::size_t>(3 * p + c) * rows;
       for (int row = 0; row < rows; ++row) jets[row] -= heights[row] * n[c];
     }
   }
 }
 
-void PatchEvaluator::pull_back_flattening(const double* adjoints, int derivatives, std::vector<Vector3>& normals) {
-  const BasisTable& table = bases_[range_.set].table();
-  const int rows = derivatives * table.samples, columns = table.columns, count = range_.count;
-  reserve(along_, static_cast<std::size_t>(rows) * count);
+void PatchEvaluator::pull_back_flattening(const double* adjoints, int derivatives, PatchMemory& memory,
+                                          RangeAdjoint& result) const {
+  const PatchRange range = memory.range;
+  const BasisTable& table = bases_[range.set].table();
+  const int rows = derivatives * table.samples, columns = table.columns, count = range.count;
+  reserve(memory.along, static_cast<std::size_t>(rows) * count);
+  result.normals.resize(count);
   for (int p = 0; p < count; ++p) {
-    const Vector3& n = frames_[cap(p)].normal;
+    const Vector3& n = normal_at(range, p);
     const double* adjoint = adjoints + static_cast<std::size_t>(3 * p) * rows;
-    const double* heights = heights_.data() + static_cast<std::size_t>(p) * derivatives_ * table.samples;
-    double* along = along_.data() + static_cast<std::size_t>(p) * rows;
+    const double* heights = memory.heights.data() + static_cast<std::size_t>(p) * memory.derivatives * table.samples;
+    double* along = memory.along.data() + static_cast<std::size_t>(p) * rows;
     double sums[3] = {};
     for (int row = 0; row < rows; ++row) {
       const double a[3] = {adjoint[row], adjoint[rows + row], adjoint[2 * rows + row]};
       along[row] = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
       for (int c = 0; c < 3; ++c) sums[c] += a[c] * heights[row];
     }
-    for (int c = 0; c < 3; ++c) normals[cap(p)][c] -= sums[c];
+    result.normals[p] = -Vector3(sums[0], sums[1], sums[2]);
   }
-  double* t = along_normal_.data();
-  kernels_->dense_transposed_product(table.from(1, table.flattening), rows, along_.data(), count, t);
+  double* t = memory.along_normal.data();
+  surface_kernels().dense_transposed_product(table.from(1, table.flattening), rows, memory.along.data(), count, t);
   for (int p = 0; p < count; ++p) {
-    const Vector3& n = frames_[cap(p)].normal;
+    const Vector3& n = normal_at(range, p);
     for (int i = 0; i < columns; ++i) {
       const int at = count * i + p;
       for (int c = 0; c < 3; ++c) {
-        local_gradient_[3 * at + c] -= t[at] * n[c];
-        normals[cap(p)][c] -= t[at] * local_[3 * at + c];
+        result.points[3 * at + c] -= t[at] * n[c];
+        result.normals[p][c] -= t[at] * memory.local[3 * at + c];
       }
     }
   }

@@ -27,15 +27,14 @@ RegularKernel::RegularKernel(int points_per_direction)
     }
     for (int j = 0; j < points_ && i < points_; ++j) weights_[j * width_ + i] = rule.weights[i] * rule.weights[j];
   }
-  partial_.resize(3 * 16 * width_);
 }
 
-void RegularKernel::jets(const double* points, int derivatives, double* jets) const {
-  surface_kernels().regular_jets(grid(), points, derivatives, jets);
+void RegularKernel::jets(const double* points, int derivatives, double* jets, double* scratch) const {
+  surface_kernels().regular_jets(grid(scratch), points, derivatives, jets);
 }
 
-void RegularKernel::pull_back(const double* adjoint, int derivatives, double* gradient) const {
-  surface_kernels().pull_back_regular_jets(grid(), adjoint, derivatives, gradient);
+void RegularKernel::pull_back(const double* adjoint, int derivatives, double* gradient, double* scratch) const {
+  surface_kernels().pull_back_regular_jets(grid(scratch), adjoint, derivatives, gradient);
 }
 
 }  // namespace umbilic

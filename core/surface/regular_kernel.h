@@ -24,20 +24,22 @@ class RegularKernel {
   const Eigen::VectorXd& weights() const { return weights_; }  ///< sample (i, j) is entry j * width + i
   std::size_t bytes() const { return sizeof(double) * (along_u_.size() + along_v_.size() + weights_.size()); }
 
+  /// How many doubles of scratch memory the functions below need.
+  int scratch_size() const { return 3 * 16 * width_; }
+
   /// jets[(c * derivatives + d) * samples + s] of order 1 and up from the points[16][3]; `derivatives` is 2, 5 or 9.
-  void jets(const double* points, int derivatives, double* jets) const;
+  void jets(const double* points, int derivatives, double* jets, double* scratch) const;
 
   /// The transpose: adds the pullback of the adjoints, laid out like the jets, to gradient[16][3].
-  void pull_back(const double* adjoint, int derivatives, double* gradient) const;
+  void pull_back(const double* adjoint, int derivatives, double* gradient, double* scratch) const;
 
  private:
-  RegularGrid grid() const { return {points_, width_, along_u_.data(), along_v_.data(), partial_.data()}; }
+  RegularGrid grid(double* scratch) const { return {points_, width_, along_u_.data(), along_v_.data(), scratch}; }
 
   int points_, width_;
   std::vector<double> along_u_;  // [k][a][i], i < width
   std::vector<double> along_v_;  // [l][j][b]
   Eigen::VectorXd weights_;
-  mutable std::vector<double> partial_;
 };
 
 }  // namespace umbilic

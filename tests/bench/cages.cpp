@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Pushes a cube.
+/// Pushes a cube, moves the points of a frame.
 #include "cages.h"
 
 #include <cmath>
+#include <random>
 
 #include "cage/generate.h"
 #include "mesh/subdivision.h"
@@ -31,10 +32,17 @@ Cage pushed_cube() {
   return result;
 }
 
+Cage moved(Cage cage) {
+  std::mt19937 random(1);
+  for (double& x : cage.vertices.reshaped()) x += 0.12 * (2.0 * random() / std::mt19937::max() - 1);
+  return cage;
+}
+
 }  // namespace
 
 Result<Cage> bench_cage(std::string_view name) {
   if (name == "pushed-cube") return pushed_cube();
+  if (name == "moved-two-3") return moved(*generate_cage("two-3"));
   return generate_cage(name);
 }
 

@@ -49,4 +49,8 @@ std::string overhead();
 /// Seconds of an evaluation and of a level's solve, by patches.
 std::string scaling();
 
+/// How often per second all threads together do what a level consists of, beside one thread, and beside as many threads
+/// that do it each for itself.
+std::string threads();
+
 }  // namespace umbilic

@@ -25,7 +25,7 @@ const few = [
 const catalog = (folder, ...args) => umbilic(['catalog', '--out', folder, ...few, ...args], { folder: scratch.folder });
 const stored = () => JSON.parse(scratch.read('a/catalog.json'));
 
-beforeAll(() => expect(catalog('a', '--jobs', '2')).toMatchObject({ code: 0, out: '', err: '' }));
+beforeAll(() => expect(catalog('a', '--threads', '2')).toMatchObject({ code: 0, out: '', err: '' }));
 
 describe('a catalog', () => {
   test('has an entry for each shape and functional, a file with its report, and the thin and fat starts', () => {
@@ -53,8 +53,8 @@ describe('a catalog', () => {
     );
   });
 
-  test('has the same bytes from one job and from two', () => {
-    expect(catalog('b', '--jobs', '1').code).toBe(0);
+  test('has the same bytes from one thread and from two', () => {
+    expect(catalog('b', '--threads', '1').code).toBe(0);
     const names = readdirSync(scratch.path('a'));
     expect(readdirSync(scratch.path('b'))).toEqual(names);
     for (const name of names) expect(scratch.read(`b/${name}`)).toBe(scratch.read(`a/${name}`));

@@ -13,6 +13,7 @@ import * as quadrature from './bench/quadrature.js';
 import * as scaling from './bench/scaling.js';
 import * as shapes from './bench/shapes.js';
 import { markdownTable, plainTable, replaceBetween } from './bench/tables.js';
+import * as threads from './bench/threads.js';
 import * as throughput from './bench/throughput.js';
 import { build } from './build.js';
 import { installPackages, installTools } from './install.js';
@@ -27,7 +28,7 @@ import { root } from './process.js';
  */
 
 /** In the order of the tables. @type {Record<string, Subject>} */
-const subjects = { throughput, shapes, metrics, overhead, scaling, evolver, quadrature };
+const subjects = { throughput, shapes, metrics, overhead, scaling, threads, evolver, quadrature };
 const byDefault = Object.keys(subjects).filter((name) => name !== 'quadrature');
 const results = path.join(root, 'build/bench.json');
 const readme = path.join(root, 'README.md');

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "tests/wasm/runs.h"
 
@@ -55,6 +56,18 @@ TEST(Api, minimizes_in_the_metric_that_is_asked_for) {
     EXPECT_EQ(report.levels[0].metric, used[metric]);
     EXPECT_EQ(report.levels[0].metrics > 0, metric != 1) << "how often it was built";
   }
+}
+
+TEST(Api, gives_the_same_surface_with_any_number_of_threads) {
+  std::vector<SurfaceState> surfaces;
+  for (const int32_t threads : {1, 3, 2}) {
+    ASSERT_EQ(umbilic_use_threads(threads), UMBILIC_OK);
+    surfaces.push_back(report_of(finished(bending_of("two-3", 1, 2))).surface);
+    EXPECT_EQ(surfaces.back().points, surfaces.front().points);
+  }
+  for (const int32_t none : {0, -1, 257}) EXPECT_EQ(umbilic_use_threads(none), UMBILIC_BAD_ARGUMENT);
+  EXPECT_EQ(message(), "threads: 257 is not from 1 to 256");
+  EXPECT_EQ(umbilic_use_threads(1), UMBILIC_OK);
 }
 
 TEST(Api, tells_which_levels_only_prepare_the_first_evaluable_one) {

@@ -14,9 +14,7 @@ namespace {
 /// Sums over the samples, one per lane.
 template <class L>
 struct LaneSums {
-  L second{}, third{}, parametrization{}, area{}, gaussian{}, smallest;
-
-  explicit LaneSums(double least) : smallest(splat<L>(least)) {}
+  L second{}, third{}, parametrization{}, area{}, gaussian{}, smallest = splat<L>(__builtin_inf());
 
   void add_shape(const L& weight, const Curvature<L>& k) {
     const L measure = weight * k.area;
@@ -25,13 +23,9 @@ struct LaneSums {
     smallest = k.area < smallest ? k.area : smallest;
   }
 
-  void add_to(EnergySums& sums) const {
-    sums.second += sum_lanes(second);
-    sums.third += sum_lanes(third);
-    sums.parametrization += sum_lanes(parametrization);
-    sums.area += sum_lanes(area);
-    sums.gaussian += sum_lanes(gaussian);
-    sums.smallest = least_lane(smallest);
+  EnergySums sums() const {
+    return {sum_lanes(second), sum_lanes(third),    sum_lanes(parametrization),
+            sum_lanes(area),   sum_lanes(gaussian), least_lane(smallest)};
   }
 };
 
@@ -85,9 +79,9 @@ template <bool kSecond, bool kThird, bool kChristoffel, class L>
 }
 
 template <bool kSecond, bool kThird, bool kChristoffel>
-void integrate_block(const double* weights, const JetBlock& block, EnergySums& sums) {
-  LaneSums<Lanes> wide(sums.smallest);
-  LaneSums<ShortLanes> rest(sums.smallest);
+BlockEnergies integrate_block(const double* weights, const JetBlock& block) {
+  LaneSums<Lanes> wide;
+  LaneSums<ShortLanes> rest;
   for (int p = 0; p < block.patches; ++p) {
     const double multiplicity = block.multiplicities[p];
     int s = 0;
@@ -102,11 +96,7 @@ void integrate_block(const double* weights, const JetBlock& block, EnergySums& s
       }
     }
   }
-  wide.add_to(sums);
-  if constexpr (kShortLaneCount < kLaneCount) {
-    rest.smallest = rest.smallest < sums.smallest ? rest.smallest : splat<ShortLanes>(sums.smallest);
-    rest.add_to(sums);
-  }
+  return {wide.sums(), rest.sums()};
 }
 
 template <class L>
@@ -130,30 +120,27 @@ struct LaneFunctionals {
     gaussian += measure * (k.p * k.r - k.q * k.q);
   }
 
-  void add_to(FunctionalSums& sums) const {
-    for (int i = 0; i < kFunctionalCount; ++i) sums.functionals[i] += sum_lanes(functionals[i]);
-    sums.parametrization += sum_lanes(parametrization);
-    sums.area += sum_lanes(area);
-    sums.gaussian += sum_lanes(gaussian);
+  FunctionalSums sums() const {
+    FunctionalSums result{{}, sum_lanes(parametrization), sum_lanes(area), sum_lanes(gaussian)};
+    for (int i = 0; i < kFunctionalCount; ++i) result.functionals[i] = sum_lanes(functionals[i]);
+    return result;
   }
 };
 
 }  // namespace
 
-void integrate(const double* weights, bool second_order, bool third_order, const JetBlock& block, EnergySums& sums) {
+BlockEnergies integrate(const double* weights, bool second_order, bool third_order, const JetBlock& block) {
   const bool christoffel = weights[kParametrization] != 0;
-  if (!second_order) {
-    integrate_block<false, true, false>(weights, block, sums);
-  } else if (third_order) {
-    christoffel ? integrate_block<true, true, true>(weights, block, sums)
-                : integrate_block<true, true, false>(weights, block, sums);
-  } else {
-    christoffel ? integrate_block<true, false, true>(weights, block, sums)
-                : integrate_block<true, false, false>(weights, block, sums);
+  if (!second_order) return integrate_block<false, true, false>(weights, block);
+  if (third_order) {
+    return christoffel ? integrate_block<true, true, true>(weights, block)
+                       : integrate_block<true, true, false>(weights, block);
   }
+  return christoffel ? integrate_block<true, false, true>(weights, block)
+                     : integrate_block<true, false, false>(weights, block);
 }
 
-void integrate_all(const JetBlock& block, FunctionalSums& sums) {
+FunctionalSums integrate_all(const JetBlock& block) {
   LaneFunctionals<ShortLanes> lanes;
   for (int p = 0; p < block.patches; ++p) {
     const double* begin = block.jets + static_cast<std::size_t>(3) * block.samples * p * block.derivatives;
@@ -162,7 +149,7 @@ void integrate_all(const JetBlock& block, FunctionalSums& sums) {
                 block.multiplicities[p] * load_lanes<ShortLanes>(block.weights + s));
     }
   }
-  lanes.add_to(sums);
+  return lanes.sums();
 }
 
 }  // namespace umbilic::UMBILIC_KERNELS

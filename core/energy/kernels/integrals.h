@@ -9,7 +9,7 @@
 namespace umbilic::UMBILIC_KERNELS {
 
 /// See EnergyKernels.
-void integrate(const double* weights, bool second_order, bool third_order, const JetBlock& block, EnergySums& sums);
-void integrate_all(const JetBlock& block, FunctionalSums& sums);
+BlockEnergies integrate(const double* weights, bool second_order, bool third_order, const JetBlock& block);
+FunctionalSums integrate_all(const JetBlock& block);
 
 }  // namespace umbilic::UMBILIC_KERNELS

@@ -22,8 +22,7 @@ constexpr int kVectors = 2, kTileColumns = 4;
 #endif
 constexpr int kTileRows = kVectors * kLaneCount;
 
-/// Columns of a panel that are eliminated before all later ones are updated at once.
-constexpr int kBlock = 16;
+constexpr int kBlock = kPanelBlock;
 /// Largest number of terms of a sum whose factors are copied at once: as many as keep a tile's factors in the first
 /// cache.
 constexpr int kDepth = 128;
@@ -152,33 +151,46 @@ void solve_below(const Square& square, double* values, int leading, int rows, in
   }
 }
 
+int block_width(const DensePanel& panel, int first) {
+  return panel.width - first < kBlock ? panel.width - first : kBlock;
+}
+
 }  // namespace
 
-bool eliminate_panel(const DensePanel& panel, bool positive, double* pivots, double* scratch) {
-  for (int first = 0; first < panel.width; first += kBlock) {
-    const int count = panel.width - first < kBlock ? panel.width - first : kBlock, next = first + count;
-    double* corner = panel.values + Offset(first) * panel.height + first;
-    Square square{};
-    if (!eliminate_square(corner, panel.height, count, positive, square)) return false;
-    for (int j = 0; j < count; ++j) pivots[first + j] = square.pivots[j];
-    double* below = corner + count;
-    const int rows = panel.height - next;
-    if (count > 8) {
-      solve_below<kBlock>(square, below, panel.height, rows, count);
-    } else {
-      solve_below<8>(square, below, panel.height, rows, count);
-    }
-    if (next < panel.width) {
-      subtract_trapezoid(below, panel.height, rows, panel.width - next, count, pivots + first,
-                         panel.values + Offset(next) * panel.height + next, panel.height, scratch);
-    }
+bool eliminate_block(const DensePanel& panel, int first, bool positive, double* pivots) {
+  const int count = block_width(panel, first);
+  double* corner = panel.values + Offset(first) * panel.height + first;
+  Square square{};
+  if (!eliminate_square(corner, panel.height, count, positive, square)) return false;
+  for (int j = 0; j < count; ++j) pivots[first + j] = square.pivots[j];
+  const int rows = panel.height - first - count;
+  if (count > 8) {
+    solve_below<kBlock>(square, corner + count, panel.height, rows, count);
+  } else {
+    solve_below<8>(square, corner + count, panel.height, rows, count);
   }
   return true;
 }
 
-void subtract_product(const DenseFactor& factor, const double* diagonal, double* out, double* scratch) {
-  subtract_trapezoid(factor.values, factor.leading, factor.rows, factor.rows, factor.columns, diagonal, out,
-                     factor.rows, scratch);
+void subtract_block(const DensePanel& panel, int first, const double* pivots, int begin, int end, double* scratch) {
+  subtract_trapezoid(panel.values + Offset(first) * panel.height + begin, panel.height, panel.height - begin,
+                     end - begin, block_width(panel, first), pivots + first,
+                     panel.values + Offset(begin) * panel.height + begin, panel.height, scratch);
+}
+
+bool eliminate_panel(const DensePanel& panel, bool positive, double* pivots, double* scratch) {
+  for (int first = 0; first < panel.width; first += kBlock) {
+    if (!eliminate_block(panel, first, positive, pivots)) return false;
+    const int next = first + kBlock;
+    if (next < panel.width) subtract_block(panel, first, pivots, next, panel.width, scratch);
+  }
+  return true;
+}
+
+void subtract_product(const DenseFactor& factor, const double* diagonal, int begin, int end, double* out,
+                      double* scratch) {
+  subtract_trapezoid(factor.values + begin, factor.leading, factor.rows - begin, end - begin, factor.columns, diagonal,
+                     out + Offset(begin) * factor.rows + begin, factor.rows, scratch);
 }
 
 std::size_t scratch_size(int height) {

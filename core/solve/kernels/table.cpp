@@ -5,6 +5,7 @@
 
 namespace umbilic::UMBILIC_KERNELS {
 
-extern const SolveKernels kSolveKernels{eliminate_panel, subtract_product, scratch_size};
+extern const SolveKernels kSolveKernels{eliminate_panel, eliminate_block, subtract_block, subtract_product,
+                                        scratch_size};
 
 }  // namespace umbilic::UMBILIC_KERNELS

@@ -5,13 +5,17 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
-#include <mutex>
+#include <new>
 
+#include "base/with_threads.h"
 #include "cage/generate.h"
 
 namespace umbilic::catalog {
 namespace {
+
+using test::WithThreads;
 
 const umbilic::Run& some_run() {
   static const umbilic::Run run = *umbilic::Run::create(*generate_cage("cube"), {.weights = *weights_of("bending")});
@@ -19,11 +23,12 @@ const umbilic::Run& some_run() {
 }
 
 TEST(CatalogRunner, does_every_task_once_on_any_number_of_threads) {
-  for (const int jobs : {1, 2, 5}) {
+  for (const int threads : {1, 2, 5}) {
+    const WithThreads with(threads);
     std::array<std::atomic<int>, 20> counts{};
     std::vector<CatalogTask> tasks;
     for (auto& count : counts) tasks.push_back({"task", 1, [&count](const Watch&) { ++count; }});
-    EXPECT_TRUE(run_tasks(std::move(tasks), jobs, [](const CatalogProgress&) { return true; }));
+    EXPECT_TRUE(run_tasks(std::move(tasks), [](const CatalogProgress&) { return true; }));
     for (const auto& count : counts) EXPECT_EQ(count, 1);
   }
 }
@@ -38,7 +43,7 @@ TEST(CatalogRunner, begins_with_the_dearest_and_reports_how_many_are_done) {
                        EXPECT_TRUE(watch(some_run()));
                      }});
   }
-  run_tasks(std::move(tasks), 1, [&](const CatalogProgress& progress) {
+  run_tasks(std::move(tasks), [&](const CatalogProgress& progress) {
     EXPECT_EQ(progress.count, 4u);
     done.push_back(progress.done);
     return true;
@@ -48,6 +53,7 @@ TEST(CatalogRunner, begins_with_the_dearest_and_reports_how_many_are_done) {
 }
 
 TEST(CatalogRunner, begins_nothing_more_once_it_is_to_end) {
+  const WithThreads two(2);
   std::atomic<int> begun = 0;
   std::vector<CatalogTask> tasks;
   for (int i = 0; i < 10; ++i) {
@@ -57,8 +63,20 @@ TEST(CatalogRunner, begins_nothing_more_once_it_is_to_end) {
                        }
                      }});
   }
-  EXPECT_FALSE(run_tasks(std::move(tasks), 2, [&](const CatalogProgress&) { return false; }));
+  EXPECT_FALSE(run_tasks(std::move(tasks), [&](const CatalogProgress&) { return false; }));
   EXPECT_LE(begun, 2);
+}
+
+TEST(CatalogRunner, ends_all_tasks_when_one_throws_and_throws_the_same) {
+  for (const int threads : {1, 3}) {
+    const WithThreads with(threads);
+    std::vector<CatalogTask> tasks(5, {"waits", 1, [](const Watch& watch) {
+                                         while (watch(some_run())) {
+                                         }
+                                       }});
+    tasks.front() = {"throws", 2, [](const Watch&) { throw std::bad_alloc(); }};
+    EXPECT_THROW(run_tasks(std::move(tasks), [](const CatalogProgress&) { return true; }), std::bad_alloc);
+  }
 }
 
 }  // namespace

@@ -94,6 +94,8 @@ TEST(EnergyHessian, of_every_patch_with_flat_caps_is_the_second_derivative_with_
     Weights weights = kBlend;  // second + area third varies with the area and the third-order integral frozen
     for (int f = kMvs; f < kFunctionalCount; ++f) weights[f] *= value.area;
     const std::vector<FlatFrame> frames = flat_frames(layout, mesh.control);
+    HessianMemory memory;
+    std::vector<double> block;
     Random random(5);
     for (int s = 0; s < static_cast<int>(layout.sets().size()); ++s) {
       const PatchSet& set = layout.sets()[s];
@@ -106,7 +108,8 @@ TEST(EnergyHessian, of_every_patch_with_flat_caps_is_the_second_derivative_with_
         const auto slope = [&](double t) { return patch.slope(local + t * a, b); };
         const double difference = (8 * (slope(h) - slope(-h)) - (slope(2 * h) - slope(-2 * h))) / (12 * h);
         // Differences of order 4 lose about half the digits; the density's are lost near umbilics.
-        EXPECT_NEAR(product(hessian.patch(s, p), hessian.columns(s), a, b) / difference, 1, 1e-6)
+        hessian.patch(s, p, memory, block);
+        EXPECT_NEAR(product(block.data(), hessian.columns(s), a, b) / difference, 1, 1e-6)
             << "level " << level << " set " << s << " patch " << p;
       }
     }

@@ -89,7 +89,10 @@ TEST(InstructionSets, agree_on_second_derivatives_with_every_functional_and_cap)
       for (int s = 0; s < static_cast<int>(layout.sets().size()); ++s) {
         Eigen::MatrixXd expected;
         with_each_instruction_set([&](InstructionSet set) {
-          const Eigen::MatrixXd matrix = lower_triangle(hessian.patch(s, 0), hessian.columns(s));
+          HessianMemory memory;
+          std::vector<double> block;
+          hessian.patch(s, 0, memory, block);
+          const Eigen::MatrixXd matrix = lower_triangle(block.data(), hessian.columns(s));
           if (set == InstructionSet::kPortable) expected = matrix;
           EXPECT_LT((matrix - expected).norm(), 1e-11 * expected.norm()) << name_of(set);
         });

@@ -83,7 +83,9 @@ TEST(PatchAssembly, of_blocks_is_the_sum_of_the_patches_matrices_times_their_mul
           }
         }
       }
-      assembly.add(s, p, given.data(), padded, sums);
+      PatchTerms terms;
+      assembly.terms(s, p, given.data(), padded, terms);
+      assembly.add(s, p, terms, sums);
       expected += set.multiplicities[p] * congruent(block, patch_points(c.layout, 3, points, s, p));
     });
     assembly.eliminate(sums);
@@ -111,8 +113,11 @@ TEST(PatchAssembly, of_scalar_blocks_is_that_of_the_same_block_for_each_coordina
       block = (block + block.transpose()).eval();
       expected += set.multiplicities[p] * congruent(block, patch_points(c.layout, 1, points, s, p));
       block.triangularView<Eigen::StrictlyUpper>().setConstant(kUnread);
-      assembly.add_scalar(s, p, block, sums);
-      scalar.add_scalar(s, p, block, scalar_sums);
+      PatchTerms terms;
+      assembly.scalar_terms(s, p, block, terms);
+      assembly.add(s, p, terms, sums);
+      scalar.scalar_terms(s, p, block, terms);
+      scalar.add(s, p, terms, scalar_sums);
     });
     assembly.eliminate(sums);
     scalar.eliminate(scalar_sums);
@@ -147,7 +152,9 @@ TEST(PatchAssembly, adds_to_the_values_and_its_pattern_holds_each_entry_of_the_l
     PatchSums sums;
     assembly.clear(sums);
     sums.values = values;
-    assembly.add(0, 0, zero.data(), columns, sums);
+    PatchTerms terms;
+    assembly.terms(0, 0, zero.data(), columns, terms);
+    assembly.add(0, 0, terms, sums);
     assembly.eliminate(sums);
     EXPECT_EQ(sums.values, values);
   }
@@ -160,12 +167,12 @@ TEST(PatchCursor, visits_each_patch_once_whatever_the_budget) {
   for (const int budget : {1, 7, 100, 1'000'000}) {
     std::vector<std::pair<int, int>> visited;
     PatchCursor cursor;
-    int parts = 1;
-    const auto add = [&](int s, int p) {
-      visited.emplace_back(s, p);
-      return 3;
-    };
-    while (!cursor.visit(layout, budget, add)) ++parts;
+    int parts = 0;
+    for (; !cursor.ended(layout); ++parts) {
+      for (const auto [set, patch] : cursor.advance(layout, budget, [](int) { return 3; })) {
+        visited.emplace_back(set, patch);
+      }
+    }
     EXPECT_EQ(visited, expected);
     const int per_part = (budget + 2) / 3, patches = static_cast<int>(expected.size());
     EXPECT_EQ(parts, (patches + per_part - 1) / per_part);

@@ -27,9 +27,15 @@ Eigen::VectorXd hessian_times(const PatchLayout& layout, const Weights& weights,
   const PatchAssembly assembly(layout, Coordinates(layout.control_count()));
   PatchSums sums;
   assembly.clear(sums);
+  HessianMemory memory;
+  std::vector<double> block;
+  PatchTerms terms;
   for (int s = 0; s < static_cast<int>(layout.sets().size()); ++s) {
-    for (int p = 0; p < layout.sets()[s].count(); ++p)
-      assembly.add(s, p, hessian.patch(s, p), hessian.columns(s), sums);
+    for (int p = 0; p < layout.sets()[s].count(); ++p) {
+      hessian.patch(s, p, memory, block);
+      assembly.terms(s, p, block.data(), hessian.columns(s), terms);
+      assembly.add(s, p, terms, sums);
+    }
   }
   assembly.eliminate(sums);
   const Eigen::SparseMatrix<double> lower = assembly.lower(sums.values);

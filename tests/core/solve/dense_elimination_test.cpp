@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 #include <random>
 #include <string>
@@ -41,7 +42,9 @@ Eliminated eliminate(const Eigen::MatrixXd& matrix, int width, bool positive) {
   const DensePanel panel{result.panel.data(), height, width};
   result.succeeded = kernels.eliminate_panel(panel, positive, result.pivots.data(), scratch.data());
   const DenseFactor below{result.panel.data() + width, height, height - width, width};
-  if (result.succeeded) kernels.subtract_product(below, result.pivots.data(), result.update.data(), scratch.data());
+  if (result.succeeded) {
+    kernels.subtract_product(below, result.pivots.data(), 0, below.rows, result.update.data(), scratch.data());
+  }
   return result;
 }
 
@@ -70,6 +73,53 @@ TEST(DenseElimination, factors_panels_of_every_shape) {
           }
           if (!positive && width > 1) {
             EXPECT_FALSE(eliminate(matrix, width, true).succeeded);
+          }
+        }
+      }
+    }
+  });
+}
+
+/// The same, `step` columns at a time: what each block contributes to the columns of a piece, from the first block on.
+Eliminated eliminate_in_pieces(const Eigen::MatrixXd& matrix, int width, int step) {
+  const SolveKernels& kernels = solve_kernels();
+  const auto height = static_cast<int>(matrix.rows());
+  Eliminated result{true, matrix.leftCols(width), matrix.bottomRightCorner(height - width, height - width),
+                    std::vector<double>(width)};
+  std::vector<double> scratch(kernels.scratch_size(height));
+  const DensePanel panel{result.panel.data(), height, width};
+  for (int begin = 0; begin < width; begin += step) {
+    const int end = std::min(begin + step, width);
+    for (int first = 0; first < end; first += kPanelBlock) {
+      if (first >= begin) {
+        EXPECT_TRUE(kernels.eliminate_block(panel, first, false, result.pivots.data()));
+      }
+      const int from = std::max(begin, first + kPanelBlock);
+      if (from < end) kernels.subtract_block(panel, first, result.pivots.data(), from, end, scratch.data());
+    }
+  }
+  const DenseFactor below{result.panel.data() + width, height, height - width, width};
+  for (int begin = 0; begin < below.rows; begin += step + 5) {
+    kernels.subtract_product(below, result.pivots.data(), begin, std::min(begin + step + 5, below.rows),
+                             result.update.data(), scratch.data());
+  }
+  return result;
+}
+
+TEST(DenseElimination, gives_the_same_bits_however_columns_are_divided) {
+  with_each_instruction_set([](InstructionSet) {
+    for (const int width : {16, 37, 131}) {
+      for (const int below : {0, 7, 100}) {
+        const Eigen::MatrixXd matrix = random_symmetric(width + below, false, 2);
+        const Eliminated whole = eliminate(matrix, width, false);
+        for (const int step : {16, 48, 64}) {
+          const Eliminated parts = eliminate_in_pieces(matrix, width, step);
+          EXPECT_EQ(parts.pivots, whole.pivots);
+          for (int j = 0; j < width; ++j) {
+            EXPECT_EQ(parts.panel.col(j).tail(width + below - j), whole.panel.col(j).tail(width + below - j));
+          }
+          for (int j = 0; j < below; ++j) {
+            EXPECT_EQ(parts.update.col(j).tail(below - j), whole.update.col(j).tail(below - j));
           }
         }
       }

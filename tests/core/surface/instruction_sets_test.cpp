@@ -18,7 +18,7 @@ std::vector<Points> jets_and_pull_back(const JetEvaluator& jets, const Points& c
   all.clear();
   jets.evaluate(
       control, derivatives, channels,
-      [&](const JetBlock& block) {
+      [&](int, const JetBlock& block) {
         all.insert(all.end(), block.jets, block.jets + 3 * block.derivatives * block.samples * block.patches);
         Random random(7);
         for (std::size_t k = 0; k < channels.size(); ++k) {

@@ -23,7 +23,7 @@ Eigen::VectorXd all_jets(const JetEvaluator& jets, const Points& control, int de
   std::vector<Points> none;
   jets.evaluate(
       control, derivatives, {},
-      [&](const JetBlock& block) {
+      [&](int, const JetBlock& block) {
         all.insert(all.end(), block.jets, block.jets + 3 * block.derivatives * block.samples * block.patches);
       },
       none);
@@ -37,7 +37,7 @@ std::vector<Points> pulled_back(const JetEvaluator& jets, const Points& control,
   std::vector<Eigen::Index> at(channels.size(), 0);
   jets.evaluate(
       control, derivatives, channels,
-      [&](const JetBlock& block) {
+      [&](int, const JetBlock& block) {
         for (std::size_t k = 0; k < channels.size(); ++k) {
           const int size = 3 * channels[k].derivatives * block.samples * block.patches;
           std::copy_n(w[k].data() + at[k], size, block.adjoints[k]);
@@ -56,7 +56,7 @@ Eigen::VectorXd first_derivatives(const JetEvaluator& jets, const Points& contro
   Eigen::Index at = 0;
   jets.evaluate(
       control, derivatives, {},
-      [&](const JetBlock& block) {
+      [&](int, const JetBlock& block) {
         for (int pc = 0; pc < 3 * block.patches; ++pc) {
           for (int i = 0; i < count * block.samples; ++i) part.push_back(all[at + i]);
           at += derivatives * block.samples;
@@ -161,7 +161,7 @@ TEST(JetEvaluator, linear_caps_commute_with_affine_maps_and_the_flat_one_with_si
     std::vector<Points> none;
     jets.evaluate(
         mesh.control, kThirdOrderCount, {},
-        [&](const JetBlock& block) {
+        [&](int, const JetBlock& block) {
           const int size = kThirdOrderCount * block.samples;
           for (int p = 0; p < block.patches; ++p, at += 3 * size) {
             for (int i = 0; i < 3; ++i) {
@@ -197,7 +197,7 @@ TEST(JetEvaluator, visits_each_face_with_weights_that_sum_to_one) {
     std::vector<Points> none;
     jets.evaluate(
         mesh.control, kSecondOrderCount, {},
-        [&](const JetBlock& block) {
+        [&](int, const JetBlock& block) {
           for (int s = 0; s < block.samples; ++s) {
             sum += block.patches * block.weights[s];
             samples += block.weights[s] > 0 ? block.patches : 0;

@@ -20,9 +20,10 @@ PatchEvaluator by_tables(const PatchLayout& layout) {
                         [](const PatchKind& kind) { return PatchBasis(shared_basis_table(kind, kFewPoints, 0)); });
 }
 
-Eigen::VectorXd jets_of(PatchEvaluator& patches, PatchRange range, int derivatives, int from) {
+Eigen::VectorXd jets_of(const PatchEvaluator& patches, PatchRange range, int derivatives, int from,
+                        PatchMemory memory = {}) {
   const int size = 3 * derivatives * patches.basis(range.set).samples() * range.count;
-  return Eigen::Map<const Eigen::VectorXd>(patches.jets(range, derivatives, from), size);
+  return Eigen::Map<const Eigen::VectorXd>(patches.jets(range, derivatives, memory, from), size);
 }
 
 TEST(PatchEvaluator, gives_patches_together_the_jets_that_it_gives_each_alone) {
@@ -31,14 +32,14 @@ TEST(PatchEvaluator, gives_patches_together_the_jets_that_it_gives_each_alone) {
     const PatchLayout layout(mesh.mesh, cap);
     PatchEvaluator patches = by_tables(layout);
     patches.move_to(mesh.control);
-    patches.for_each_range([&](PatchRange range) {
+    for (const PatchRange& range : patches.ranges()) {
       const Eigen::VectorXd together = jets_of(patches, range, kThirdOrderCount, 1);
       const Eigen::Index size = together.size() / range.count;
       for (int p = 0; p < range.count; ++p) {
         const Eigen::VectorXd alone = jets_of(patches, {range.set, range.first + p, 1}, kThirdOrderCount, 1);
         EXPECT_LT((together.segment(p * size, size) - alone).norm(), 1e-14 * alone.norm());
       }
-    });
+    }
   }
 }
 
@@ -46,10 +47,11 @@ TEST(PatchEvaluator, visits_each_patch_once) {
   const Refined mesh = rough(trapezohedron(6), 2, 0.03, 1);
   const PatchLayout layout(mesh.mesh, CapKind::kSmooth);
   std::vector<int> next(layout.sets().size(), 0);
-  by_tables(layout).for_each_range([&](PatchRange range) {
+  const PatchEvaluator patches = by_tables(layout);
+  for (const PatchRange& range : patches.ranges()) {
     EXPECT_EQ(range.first, next[range.set]);
     next[range.set] += range.count;
-  });
+  }
   for (std::size_t s = 0; s < next.size(); ++s) EXPECT_EQ(next[s], layout.sets()[s].count());
 }
 
@@ -102,9 +104,13 @@ TEST(PatchEvaluator, pulls_back_by_the_transpose_of_the_derivative) {
       const double h = cap == CapKind::kFlat ? 1e-3 : 1;
       const Eigen::VectorXd jv = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
       const Eigen::VectorXd w = random.matrix<Eigen::VectorXd>(at(0).size(), 1);
+      PatchMemory memory;
+      RangeAdjoint pulled_back;
       PatchAdjoint sum;
+      patches.jets(range, kSecondOrderCount, memory);
+      patches.pull_back(w.data(), kSecondOrderCount, memory, pulled_back);
       patches.clear(sum);
-      patches.pull_back(w.data(), kSecondOrderCount, sum);
+      patches.add(range, pulled_back, sum);
       Points gradient;
       patches.finish(sum, gradient);
       ASSERT_EQ(gradient.rows(), mesh.control.rows());

@@ -21,9 +21,10 @@ TEST(RegularKernel, equals_the_dense_basis_table) {
     const Points dense = table.view(1, table.basis) * points;
     const int width = kernel.samples() / n;
     EXPECT_GE(width, n);
+    std::vector<double> scratch(kernel.scratch_size());
     for (const int derivatives : kDerivativeCounts) {
       std::vector<double> jets(3 * derivatives * kernel.samples());
-      kernel.jets(points.data(), derivatives, jets.data());
+      kernel.jets(points.data(), derivatives, jets.data(), scratch.data());
       for (int c = 0; c < 3; ++c) {
         for (int d = 0; d < derivatives; ++d) {
           for (int j = 0; j < n; ++j) {
@@ -55,15 +56,16 @@ TEST(RegularKernel, weighs_its_samples_as_the_tensor_rule_and_padding_by_zero) {
 TEST(RegularKernel, pull_back_is_the_transpose_and_adds) {
   for (const int n : {1, 3, 4, 5, 8}) {
     const RegularKernel kernel(n);
+    std::vector<double> scratch(kernel.scratch_size());
     for (const int derivatives : kDerivativeCounts) {
       Random random(n);
       const Points x = random.points(16), start = random.points(16);
       const int size = 3 * derivatives * kernel.samples();
       Eigen::VectorXd jets(size);
       const Eigen::VectorXd w = random.matrix<Eigen::VectorXd>(size, 1);
-      kernel.jets(x.data(), derivatives, jets.data());
+      kernel.jets(x.data(), derivatives, jets.data(), scratch.data());
       Points gradient = start;
-      kernel.pull_back(w.data(), derivatives, gradient.data());
+      kernel.pull_back(w.data(), derivatives, gradient.data(), scratch.data());
       EXPECT_NEAR(jets.dot(w), (gradient - start).cwiseProduct(x).sum(), 1e-12 * jets.norm() * w.norm());
     }
   }
