@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Prepares the run that the user will probably start next while the current one rests, so that its surface moves
- * at once.
+ * @file What is prepared while a surface rests, so that the next one moves at once: the first level of the open run, and
+ * the run that the user will probably start next.
  */
 
 /** @import {Minimizer} from '../../wasm/umbilic.js' */
 /** @import {Problem} from '../../wasm/types.js' */
 
 /**
+ * The largest number of patches of a level that is prepared in advance; a larger one takes memory that viewing does not
+ * need.
+ */
+const MOST_PATCHES_AHEAD = 4000;
+
+/**
  * @param {object} surroundings
  * @param {{Minimizer: typeof Minimizer, InputError: new (message: string) => Error}} surroundings.core
  * @param {(task: () => void) => void} surroundings.yieldThen runs the task after the messages that have arrived
  */
-export function createExpectation({ core, yieldThen }) {
+export function createPreparing({ core, yieldThen }) {
   /** @type {{key: string, minimizer: Minimizer} | null} */
   let expected = null;
 
@@ -30,8 +36,25 @@ export function createExpectation({ core, yieldThen }) {
   }
 
   return {
+    /**
+     * Prepares the first step of a level, in parts between the messages.
+     * @param {Minimizer} minimizer at rest
+     * @param {number} patches of its level
+     * @param {() => boolean} rests whether it is still open, and at rest
+     * @param {() => void} done called once nothing is left to prepare
+     */
+    ahead(minimizer, patches, rests, done) {
+      const next = () => {
+        if (!rests()) return;
+        if (patches > MOST_PATCHES_AHEAD || minimizer.progress.phase !== 'prepare') return done();
+        minimizer.step(1);
+        yieldThen(next);
+      };
+      next();
+    },
+
     /** Begins to prepare a run, unless the problem cannot be opened. @param {Problem} problem of a generated cage */
-    begin(problem) {
+    expect(problem) {
       drop();
       try {
         const minimizer = new core.Minimizer(problem);
