@@ -4,33 +4,33 @@
  */
 import { parseStudioAddress } from './address/studio.js';
 import { allQuantities, deviation } from './colour/quantities.js';
-import { createEffects } from './effects.js';
-import { loadEntry } from './files/entry.js';
+import { createEffects } from './pages/studio/effects.js';
+import { loadEntry } from './pages/studio/load_entry.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
-import { initialState, reduce } from './state/reduce.js';
-import { createBoundariesView } from './views/boundaries.js';
-import { createCageView } from './views/cage.js';
-import { createCertificateView } from './views/certificate.js';
-import { createClosenessView } from './views/closeness.js';
+import { initialState, reduce } from './pages/studio/state/reduce.js';
+import { createBoundariesView } from './pages/studio/views/boundaries.js';
+import { createCageView } from './pages/studio/views/cage.js';
+import { createCertificateView } from './pages/studio/views/certificate.js';
+import { createClosenessView } from './pages/studio/views/closeness.js';
 import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
-import { createDropView, createFileTaker } from './views/drop.js';
-import { createEntryView } from './views/entry.js';
-import { createHeldKeyView, createHoldView } from './views/hold.js';
+import { createDropView, createFileTaker } from './pages/studio/views/drop.js';
+import { createEntryView } from './pages/studio/views/entry.js';
+import { createHeldKeyView, createHoldView } from './pages/studio/views/hold.js';
 import { createLegendView } from './views/legend.js';
-import { createLimitView } from './views/limit.js';
-import { createAlertView, createDownloadsView } from './views/notices.js';
-import { createObjectiveView } from './views/objective.js';
-import { createPinsView } from './views/pins.js';
-import { createPlotView } from './views/plot.js';
-import { createRunView } from './views/run.js';
-import { createEnergiesView, createLevelsView } from './views/tables.js';
+import { createLimitView } from './pages/studio/views/limit.js';
+import { createAlertView, createDownloadsView } from './pages/studio/views/notices.js';
+import { createObjectiveView } from './pages/studio/views/objective.js';
+import { createPinsView } from './pages/studio/views/pins.js';
+import { createPlotView } from './pages/studio/views/plot.js';
+import { createRunView } from './pages/studio/views/run.js';
+import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
 import { createThemeView } from './views/theme.js';
 import { deviationUnit } from './words/holding.js';
 import { createClient } from './worker/client.js';
 
-/** @import {Action} from './state/types.js' */
+/** @import {Action} from './pages/studio/state/types.js' */
 
 const client = createClient({
   createWorker: () => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }),
@@ -70,10 +70,11 @@ const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), 
 const legend = createLegendView(
   byId('legend'),
   (shading) => dispatch({ type: 'viewChanged', change: { shading } }),
-  (quantity) => (quantity === deviation ? deviationUnit(state.cage?.source.kind === 'text') : `in ${quantity.unit}`),
+  (quantity) =>
+    quantity === deviation ? deviationUnit(state.document.cage?.source.kind === 'text') : `in ${quantity.unit}`,
   allQuantities,
 );
-/** @type {ReturnType<typeof import('./views/surface.js').createSurfaceView> | null} */
+/** @type {ReturnType<typeof import('./pages/studio/views/surface.js').createSurfaceView> | null} */
 let surface = null;
 const plain = [
   createEntryView(byId('entry'), dispatch),
@@ -101,18 +102,18 @@ function show() {
   // While the surface moves, the range changes rarely; another cage or a surface at rest gets its own range.
   const range = legend.update({
     shading: state.view.shading,
-    deviations: state.surface?.deviations,
-    curvatures: state.surface ? [state.surface.limit.curvatures] : [],
-    occasion: `${state.run} ${state.status === 'running'}`,
+    deviations: state.view.surface?.deviations,
+    curvatures: state.view.surface ? [state.view.surface.limit.curvatures] : [],
+    occasion: `${state.session.run} ${state.session.phase.name === 'running'}`,
   });
   surface?.update(state, range, dark);
   for (const view of plain) view.update(state);
-  setText(byId('version'), state.version);
+  setText(byId('version'), state.session.version);
 }
 
-effects({ type: 'alertDismissed' }, { ...state, opening: null, wanted: null }, state);
+effects(null, null, state);
 show();
 // The drawing code is the largest part of the page; it is loaded while the worker starts.
-const { createSurfaceView } = await import('./views/surface.js');
+const { createSurfaceView } = await import('./pages/studio/views/surface.js');
 surface = createSurfaceView(byId('surface'), dispatch);
 show();

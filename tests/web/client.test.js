@@ -10,7 +10,7 @@ import {
   WORK_PATIENCE,
   createClient,
 } from '../../web/worker/client.js';
-import { progress } from './state.js';
+import { progress } from './studio/state.js';
 
 /** A worker whose answers the test gives. */
 class ScriptedWorker {
