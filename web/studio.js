@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The studio's entry point: its state, its reducer, the worker and the views.
+ * @file The studio's entry point: its documents, where they are kept, and the views that show one of them.
  */
-import { parseStudioAddress } from './address/studio.js';
 import { allQuantities, deviation } from './colour/quantities.js';
-import { createEffects } from './pages/studio/effects.js';
-import { loadEntry } from './pages/studio/load_entry.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
-import { initialState, reduce } from './pages/studio/state/reduce.js';
+import { createDesk } from './pages/studio/desk.js';
+import { createKeeper } from './pages/studio/keeper.js';
+import { loadEntry } from './pages/studio/load_entry.js';
+import { createOwnership } from './pages/studio/ownership.js';
 import { createBoundariesView } from './pages/studio/views/boundaries.js';
 import { createCageView } from './pages/studio/views/cage.js';
 import { createCertificateView } from './pages/studio/views/certificate.js';
 import { createClosenessView } from './pages/studio/views/closeness.js';
-import { createCopyView } from './views/copy.js';
-import { find, setText } from './views/dom.js';
+import { createDocumentsView } from './pages/studio/views/documents.js';
 import { createDropView, createFileTaker } from './pages/studio/views/drop.js';
+import { createEditView } from './pages/studio/views/edit.js';
 import { createEntryView } from './pages/studio/views/entry.js';
 import { createHeldKeyView, createHoldView } from './pages/studio/views/hold.js';
-import { createLegendView } from './views/legend.js';
 import { createLimitView } from './pages/studio/views/limit.js';
 import { createAlertView, createDownloadsView } from './pages/studio/views/notices.js';
 import { createObjectiveView } from './pages/studio/views/objective.js';
@@ -26,39 +25,48 @@ import { createPinsView } from './pages/studio/views/pins.js';
 import { createPlotView } from './pages/studio/views/plot.js';
 import { createRunView } from './pages/studio/views/run.js';
 import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
+import { createCopyView } from './views/copy.js';
+import { find, setText } from './views/dom.js';
+import { createLegendView } from './views/legend.js';
 import { createThemeView } from './views/theme.js';
 import { deviationUnit } from './words/holding.js';
-import { createClient } from './worker/client.js';
+import { createRequests } from './worker/requests.js';
 
 /** @import {Action} from './pages/studio/state/types.js' */
 
-const client = createClient({
-  createWorker: () => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }),
-  onMessage: (message) => dispatch({ type: 'answered', message }),
-  onLost: (loss, detail) => dispatch({ type: 'workerLost', loss, detail }),
-});
-const effects = createEffects({
-  client,
-  save: saveFile,
-  load: async (name) => {
-    const found = await loadEntry(name);
-    dispatch(
-      'missing' in found
-        ? { type: 'entryMissing', name, message: found.missing }
-        : { type: 'entryLoaded', name, ...found },
-    );
+/** Why the browser does not keep the documents; null if it does. @type {string | null} */
+let unkept = null;
+/** @type {import('./worker/store.js').AskStore} */
+const ask = createRequests(() => new Worker(new URL('./worker/store.js', import.meta.url), { type: 'module' }));
+const keeper = createKeeper({
+  ask,
+  told(failure) {
+    if (failure === unkept) return;
+    unkept = failure;
+    show();
   },
-  setAddress: (search) => history.replaceState(null, '', location.pathname + search),
 });
-let state = initialState(storedTheme(), parseStudioAddress(location.search));
+const desk = createDesk({
+  outside: {
+    createWorker: () => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }),
+    save: saveFile,
+    load: async (name) => {
+      const found = await loadEntry(name);
+      return 'missing' in found
+        ? { type: 'entryMissing', name, message: found.missing }
+        : { type: 'entryLoaded', name, ...found };
+    },
+  },
+  keeper,
+  ownership: createOwnership(),
+  setAddress: (search, id) => history.replaceState({ document: id }, '', location.pathname + search),
+  changed: () => show(),
+});
 
 /** @param {Action} action */
 function dispatch(action) {
-  const before = state;
-  state = reduce(before, action);
-  effects(action, before, state);
-  if (state.view.theme !== before.view.theme) storeTheme(state.view.theme);
-  show();
+  if (action.type === 'viewChanged' && action.change.theme) storeTheme(action.change.theme);
+  desk.dispatch(action);
 }
 
 const takeFiles = createFileTaker(dispatch);
@@ -70,13 +78,22 @@ const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), 
 const legend = createLegendView(
   byId('legend'),
   (shading) => dispatch({ type: 'viewChanged', change: { shading } }),
-  (quantity) =>
-    quantity === deviation ? deviationUnit(state.document.cage?.source.kind === 'text') : `in ${quantity.unit}`,
+  (quantity) => {
+    const fromFile = desk.state.document.cage?.source.kind === 'text';
+    return quantity === deviation ? deviationUnit(fromFile) : `in ${quantity.unit}`;
+  },
   allQuantities,
 );
 /** @type {ReturnType<typeof import('./pages/studio/views/surface.js').createSurfaceView> | null} */
 let surface = null;
+const documents = createDocumentsView(byId('documents'), {
+  show: (id) => desk.show(id),
+  close: (id) => void desk.close(id),
+  create: () => desk.create(),
+  reopen: () => void desk.reopen(),
+});
 const plain = [
+  createEditView(byId('edit'), dispatch),
   createEntryView(byId('entry'), dispatch),
   createCageView(byId('cage'), dispatch, takeFiles),
   createHoldView(byId('hold'), dispatch),
@@ -98,6 +115,8 @@ createDropView(byId('drop'), takeFiles);
 createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')));
 
 function show() {
+  if (!desk.isOpen) return;
+  const { state } = desk;
   const dark = theme.update(state.view.theme);
   // While the surface moves, the range changes rarely; another cage or a surface at rest gets its own range.
   const range = legend.update({
@@ -108,12 +127,20 @@ function show() {
   });
   surface?.update(state, range, dark);
   for (const view of plain) view.update(state);
+  documents.update({ tabs: desk.tabs(), canReopen: desk.canReopen, unkept });
   setText(byId('version'), state.session.version);
 }
 
-effects(null, null, state);
-show();
+addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && desk.flush());
+addEventListener('beforeunload', (event) => {
+  if (!desk.isUnkept) return;
+  void desk.flush();
+  event.preventDefault();
+});
+
 // The drawing code is the largest part of the page; it is loaded while the worker starts.
-const { createSurfaceView } = await import('./pages/studio/views/surface.js');
+const drawing = import('./pages/studio/views/surface.js');
+await desk.restore({ search: location.search, shown: history.state?.document ?? null, theme: storedTheme() });
+const { createSurfaceView } = await drawing;
 surface = createSurfaceView(byId('surface'), dispatch);
 show();

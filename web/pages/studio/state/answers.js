@@ -39,16 +39,17 @@ export function afterAnswer(state, message) {
 function afterRunMessage(state, message) {
   const { session, document } = state;
   const { result } = document;
-  /** Counted from the first run of the surface. */
-  const evaluations = 'evaluations' in message ? session.before + message.evaluations : 0;
-  /** Whether this is about the surface as it was brought back, of which the document has all. */
-  const known = session.before > 0 && evaluations === session.before;
+  const before = session.before ?? 0;
+  const evaluations = 'evaluations' in message ? before + message.evaluations : 0;
+  /** Whether this is about the surface as it was brought back. */
+  const known = session.before !== null && evaluations === before;
   switch (message.type) {
     case 'surfaced':
       return afterSurfaced(state, message, evaluations);
     case 'measured': {
       const { energies, level } = message;
-      const latest = known && result.latest ? result.latest : { energies, evaluations, level };
+      const kept = known && result.latest?.evaluations === evaluations ? result.latest : null;
+      const latest = kept ?? { energies, evaluations, level };
       return withResult(state, { latest, first: result.first ?? latest });
     }
     case 'constrained':
@@ -56,11 +57,13 @@ function afterRunMessage(state, message) {
     case 'stepped':
       return withResult(state, {
         progress: message.progress,
-        samples: result.samples.concat(unpack(message.samples, session.before)),
+        samples: result.samples.concat(unpack(message.samples, before)),
       });
     case 'levelEnded': {
       const others = result.levels.filter(({ level }) => level !== message.report.level);
-      return withResult(state, { levels: [...others, message.report], limit: message.limit });
+      // Of a surface that was brought back, the core knows only the levels since.
+      const limit = session.before !== null && message.limit.status === 'too_few_levels' ? result.limit : null;
+      return withResult(state, { levels: [...others, message.report], limit: limit ?? message.limit });
     }
     case 'paused':
       return withSession(withResult(state, { progress: message.progress }), {

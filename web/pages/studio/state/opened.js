@@ -32,12 +32,12 @@ export function afterOpened(state, opening, message) {
   const { run, source, settings, purpose, then } = opening;
   const { counts, groups, taken } = cagesOf(message);
   const { result } = state.document;
-  const opened = withView(withSession(state, { run, before: 0, opening: null, refused: null, exporting: false }), {
+  const opened = withView(withSession(state, { run, before: null, opening: null, refused: null, exporting: false }), {
     coarse: false,
   });
   if (purpose === 'recovery') {
-    const phase = result.stop || result.catalogs ? phases.ended : phases.resting;
-    const before = opening.start ? (result.saved?.evaluations ?? 0) : 0;
+    const phase = then === 'hold' ? state.session.phase : phases.running;
+    const before = opening.start ? (result.saved?.evaluations ?? 0) : null;
     return withSession(withResult(opened, { settings, group: message.group, taken }), { phase, before });
   }
   const fresh = withSession(withDocument(opened, { result: { ...noResult(settings), group: message.group, taken } }), {
@@ -45,7 +45,8 @@ export function afterOpened(state, opening, message) {
   });
   if (opening.entry && opening.report && source.kind === 'generated') {
     const cage = { source, name: source.name, counts, groups };
-    const shown = withView(withDocument(fresh, { cage }), { alert: null });
+    const saved = opening.start && { state: opening.start, evaluations: 0 };
+    const shown = withView(withResult(withDocument(fresh, { cage }), { saved }), { alert: null });
     return afterEntryOpened(shown, opening.entry, opening.report, message.level);
   }
   if (purpose !== 'cage') return withResult(fresh, { latest: result.latest, saved: result.saved });

@@ -6,6 +6,7 @@ import { parseStudioAddress } from '../../../address/studio.js';
 import { whatIsAsked } from './address.js';
 import { afterAnswer } from './answers.js';
 import { openEntry, openWithout } from './entry.js';
+import { noHistory, redone, remembered, undone } from './history.js';
 import { afterHold, holdIsUsable, holdsTheSame, keptOf } from './hold.js';
 import { afterLoss } from './lost.js';
 import { beginOpening, firstGenerator, openGenerated, openPreview } from './opening.js';
@@ -20,6 +21,7 @@ import {
   withSettings,
   withView,
 } from './parts.js';
+import { restored } from './restore.js';
 import { changeSettings, defaultSettings, problemWith } from './settings.js';
 
 /** @import {StudioAddress} from '../../../address/studio.js' */
@@ -48,7 +50,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       phase: { name: 'loading' },
       run: 0,
       lastRun: 0,
-      before: 0,
+      before: null,
       opening: null,
       wanted,
       exporting: false,
@@ -70,6 +72,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       said: '',
       alert: sentences.length ? { title: 'A part of the address is left out', message: sentences.join(' ') } : null,
     },
+    history: noHistory,
   };
   return wanted ? blank : openGenerated(blank);
 }
@@ -158,6 +161,15 @@ function cancel(state) {
  * @returns {State}
  */
 export function reduce(state, action) {
+  return remembered(state, changed(state, action), action);
+}
+
+/**
+ * @param {State} state
+ * @param {Action} action
+ * @returns {State}
+ */
+function changed(state, action) {
   const { document, session, view } = state;
   switch (action.type) {
     case 'generatorChanged':
@@ -173,7 +185,7 @@ export function reduce(state, action) {
     }
     case 'weightChanged': {
       const weights = { ...document.settings.weights, [action.functional]: action.weight };
-      return reduce(state, { type: 'settingsChanged', change: { weights } });
+      return changed(state, { type: 'settingsChanged', change: { weights } });
     }
     case 'facesPainted':
     case 'paintingEnded':
@@ -220,6 +232,14 @@ export function reduce(state, action) {
       return withView(state, { coarse: false });
     case 'downloadPressed':
       return withSession(state, { exporting: true });
+    case 'wakened': {
+      const { name } = session.phase;
+      return restored(state, document, name, name === 'running' ? 'run' : 'hold');
+    }
+    case 'undoPressed':
+      return undone(state);
+    case 'redoPressed':
+      return redone(state);
     case 'alertDismissed':
       return withView(state, { alert: null });
     case 'answered':

@@ -134,6 +134,11 @@ export function titleOf(name) {
   return cageWords(name).title;
 }
 
+/** What a document is called. @param {State} state */
+export function documentName({ document, session }) {
+  return titleOf(document.cage?.name ?? session.opening?.source.name ?? document.generator.name);
+}
+
 /** @param {Settings} settings */
 export function objectiveName(settings) {
   if (settings.functional !== 'blend') return functionalWords(settings.functional).name;

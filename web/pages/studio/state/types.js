@@ -68,6 +68,8 @@
  *   settings; a new run; the surface again after the worker was lost; a minimizer of the catalog
  * @property {'hold' | 'run' | 'step'} then
  * @property {SurfaceState | null} start the surface from which the run starts; null for the cage's
+ * @property {{name: string, asked: Asked}} [before] the step of the history that this makes once it has opened, and what was
+ *   asked before
  * @property {CatalogEntry} [entry] the catalog entry that is opened
  * @property {Report} [report] the report of this entry
  */
@@ -145,7 +147,8 @@
  * @property {Phase} phase
  * @property {number} run the run on the screen; messages about others are ignored
  * @property {number} lastRun the largest run number so far
- * @property {number} before the evaluations that the surface had when it was brought back, which this run does not count
+ * @property {number | null} before the evaluations that the surface had when it was brought back, which this run does not
+ *   count; null if the run began anew
  * @property {Opening | null} opening beside whatever the phase is
  * @property {EntryName | null} wanted a catalog entry that is being loaded
  * @property {boolean} exporting
@@ -171,7 +174,18 @@
  * @property {Alert | null} alert
  */
 
-/** @typedef {{document: Document, session: Session, view: View}} State */
+/** What is asked of a run. @typedef {Pick<Document, 'generator' | 'settings'>} Asked */
+
+/**
+ * A step of the history, with what is on its other side: only what is asked, or the whole document with the phase in which
+ * it was. `stroke`: the brush is still down.
+ * @typedef {{name: string, asked: Asked, stroke?: boolean} | {name: string, document: Document, phase: Phase['name']}} Step
+ *
+ * The steps that can be undone, and those that can be redone, the next one last.
+ * @typedef {{past: Step[], future: Step[]}} History
+ */
+
+/** @typedef {{document: Document, session: Session, view: View, history: History}} State */
 
 /** How near the surface stays to the cage's own. @typedef {NonNullable<Constraints['closeness']>} Closeness */
 
@@ -205,6 +219,8 @@
  *   | {type: 'fitPressed'}
  *   | {type: 'surfaceDrawn'}
  *   | {type: 'downloadPressed', what: Exportable}
+ *   | {type: 'undoPressed'} | {type: 'redoPressed'}
+ *   | {type: 'wakened'}
  *   | {type: 'alertDismissed'}
  *   | {type: 'answered', message: Message}
  *   | {type: 'workerLost', loss: Loss, detail: string}} Action
