@@ -9,6 +9,7 @@ import { createDesk } from './pages/studio/desk.js';
 import { createKeeper } from './pages/studio/keeper.js';
 import { loadEntry } from './pages/studio/load_entry.js';
 import { createOwnership } from './pages/studio/ownership.js';
+import { isProject } from './pages/studio/project.js';
 import { createBoundariesView } from './pages/studio/views/boundaries.js';
 import { createCageView } from './pages/studio/views/cage.js';
 import { createCertificateView } from './pages/studio/views/certificate.js';
@@ -25,11 +26,13 @@ import { createPinsView } from './pages/studio/views/pins.js';
 import { createPlotView } from './pages/studio/views/plot.js';
 import { createRunView } from './pages/studio/views/run.js';
 import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
+import { createUndrawnView } from './pages/studio/views/undrawn.js';
 import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
 import { createLegendView } from './views/legend.js';
 import { createThemeView } from './views/theme.js';
 import { deviationUnit } from './words/holding.js';
+import { createClient } from './worker/client.js';
 import { createRequests } from './worker/requests.js';
 
 /** @import {Action} from './pages/studio/state/types.js' */
@@ -48,12 +51,16 @@ const keeper = createKeeper({
 });
 const desk = createDesk({
   outside: {
-    createWorker: () => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }),
+    connect: (hear) =>
+      createClient({
+        createWorker: () => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }),
+        ...hear,
+      }),
     save: saveFile,
     load: async (name) => {
       const found = await loadEntry(name);
       return 'missing' in found
-        ? { type: 'entryMissing', name, message: found.missing }
+        ? { type: 'entryMissing', name, message: found.missing, retry: found.retry }
         : { type: 'entryLoaded', name, ...found };
     },
   },
@@ -66,7 +73,13 @@ const desk = createDesk({
 /** @param {Action} action */
 function dispatch(action) {
   if (action.type === 'viewChanged' && action.change.theme) storeTheme(action.change.theme);
-  desk.dispatch(action);
+  if (action.type === 'fileChosen' && isProject(action.text)) desk.openProject(action.name, action.text);
+  else desk.dispatch(action);
+}
+
+function saveProject() {
+  const project = desk.project();
+  if (project) saveFile(project.name, project.text, 'application/json');
 }
 
 const takeFiles = createFileTaker(dispatch);
@@ -93,7 +106,7 @@ const documents = createDocumentsView(byId('documents'), {
   reopen: () => void desk.reopen(),
 });
 const plain = [
-  createEditView(byId('edit'), dispatch),
+  createEditView(byId('edit'), dispatch, saveProject),
   createEntryView(byId('entry'), dispatch),
   createCageView(byId('cage'), dispatch, takeFiles),
   createHoldView(byId('hold'), dispatch),
@@ -140,7 +153,12 @@ addEventListener('beforeunload', (event) => {
 
 // The drawing code is the largest part of the page; it is loaded while the worker starts.
 const drawing = import('./pages/studio/views/surface.js');
+drawing.catch(() => {}); // handled below
 await desk.restore({ search: location.search, shown: history.state?.document ?? null, theme: storedTheme() });
-const { createSurfaceView } = await drawing;
-surface = createSurfaceView(byId('surface'), dispatch);
+try {
+  const { createSurfaceView } = await drawing;
+  surface = createSurfaceView(byId('surface'), dispatch);
+} catch {
+  createUndrawnView(byId('surface')).tell('unloaded');
+}
 show();

@@ -5,12 +5,19 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { fish } from './fish.js';
-import { downloadedText, dropFile, drawn, evaluated, measured, openPage, progress, status } from './page.js';
+import { downloadedText, dropFile, drawn, evaluated, measured, openPage as open, progress, status } from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
 const served = servedPage();
+
+/** @type {typeof open} */
+async function openPage(...asked) {
+  const opened = await open(...asked);
+  opened.page.setDefaultTimeout(60_000); // runs take what they take
+  return opened;
+}
 
 /** @param {Page} page @param {string | RegExp} name */
 const button = (page, name) => page.getByRole('button', { name, exact: true });
@@ -80,7 +87,7 @@ describe('undo and redo', () => {
     expect(await page.locator('#undo').getAttribute('aria-disabled')).toBe('true');
     expect(errors).toEqual([]);
     await page.context().close();
-  });
+  }, 240_000);
 
   test('leave the keys to a field in which something is typed', async () => {
     const { page } = await openPage(served.browser, served.url);
@@ -114,7 +121,7 @@ describe('after a reload', () => {
     await status(page, /^Paused/);
     expect(errors).toEqual([]);
     await page.context().close();
-  }, 120_000);
+  }, 240_000);
 
   test('or a visit to another page, all documents are there, with what was done in them and to be undone', async () => {
     const { page, errors } = await openPage(served.browser, served.url);
@@ -142,7 +149,7 @@ describe('after a reload', () => {
     await status(page, /^Ready/);
     expect(errors).toEqual([]);
     await page.context().close();
-  }, 120_000);
+  }, 240_000);
 });
 
 describe('a document', () => {
@@ -159,7 +166,7 @@ describe('a document', () => {
     await status(page, /^Minimizing/);
     expect(errors).toEqual([]);
     await page.context().close();
-  }, 120_000);
+  }, 240_000);
 
   test('that is closed can be opened again with its surface; the last one leaves a new one', async () => {
     const { page } = await openPage(served.browser, served.url);
@@ -174,11 +181,11 @@ describe('a document', () => {
     await status(page, /^(Converged|Round-off)/);
     expect(await page.locator('#reopen').isHidden()).toBe(true);
     await page.context().close();
-  });
+  }, 240_000);
 
   test('is opened by one of two pages only, which do not touch each other’s', async () => {
     const { page: first } = await openPage(served.browser, served.url);
-    const open = async () => {
+    const another = async () => {
       const page = await first.context().newPage();
       await page.goto(`${served.url}studio.html`);
       await measured(page);
@@ -187,7 +194,7 @@ describe('a document', () => {
     await dropFile(first, 'one.obj', fish());
     await first.locator('.facts').filter({ hasText: 'one.obj' }).waitFor();
     await kept(first);
-    const second = await open();
+    const second = await another();
     expect(await tabs(second)).toEqual(['Two junctions, 3 arms *']);
     await dropFile(second, 'two.obj', fish());
     await second.locator('.facts').filter({ hasText: 'two.obj' }).waitFor();
@@ -209,7 +216,7 @@ describe('a document', () => {
     await first.locator('.facts').filter({ hasText: 'one.obj' }).waitFor();
     expect(await tabs(first)).toEqual(['one.obj *', 'two.obj']);
     await first.context().close();
-  }, 120_000);
+  }, 240_000);
 });
 
 test('a browser that keeps nothing says so, and asks before the page is left', async () => {

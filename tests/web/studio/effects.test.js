@@ -22,6 +22,7 @@ let loads;
 /** @type {string[]} */
 let addresses;
 let abandoned = 0;
+let restarted = 0;
 /** @type {ReturnType<typeof createEffects>} */
 let effects;
 
@@ -31,8 +32,9 @@ beforeEach(() => {
   loads = [];
   addresses = [];
   abandoned = 0;
+  restarted = 0;
   effects = createEffects({
-    client: { send: (command) => sent.push(command), abandon: () => abandoned++ },
+    client: { send: (command) => sent.push(command), abandon: () => abandoned++, restart: () => restarted++ },
     save: (...file) => saved.push(file),
     load: (name) => loads.push(name),
     setAddress: (search) => addresses.push(search),
@@ -164,6 +166,28 @@ describe('the worker is told', () => {
     run(resting(), { type: 'fileChosen', name: 'huge.obj', text: new Uint8Array(1) }, { type: 'cancelPressed' });
     expect(types()).toEqual(['open']);
     expect(abandoned).toBe(1);
+  });
+});
+
+describe('another try', () => {
+  test('starts the worker anew that could not be loaded, and then opens what was to be opened', () => {
+    const lost = run(resting(), { type: 'workerLost', loss: 'unloadable', detail: '' });
+    expect([restarted, types()]).toEqual([0, []]);
+    run(lost, { type: 'retryPressed' });
+    expect([restarted, types()]).toEqual([1, ['open']]);
+  });
+
+  test('loads the entry of the catalog again that was not loaded, instead of the cage in its place', () => {
+    const name = /** @type {const} */ ({ shape: 'two-3', functional: 'mvs' });
+    const begun = initialState('system', parseStudioAddress('?shape=two-3&functional=mvs'));
+    effects(null, null, begun);
+    const { wanted } = begun.session;
+    if (!wanted) throw new Error('no entry is wanted');
+    const failed = run(begun, { type: 'entryMissing', name: wanted, message: 'no network', retry: true });
+    expect(failed.view.alert).toMatchObject({ message: 'no network', retry: name });
+    const again = run(failed, { type: 'retryPressed' });
+    expect(again.session).toMatchObject({ wanted: name, opening: null });
+    expect(loads).toEqual([name, name]);
   });
 });
 

@@ -3,8 +3,10 @@
  * @file What is left of the page's state when the worker is lost, and how it comes back.
  */
 import { describe, expect, test } from '@jest/globals';
+import { load } from '../../../wasm/umbilic.js';
 import { initialState, reduce } from '../../../web/pages/studio/state/reduce.js';
 import { after, drop, leaves, openedMessages, resting, running, surfaceState, working } from './state.js';
+import { createStudio } from './real.js';
 
 describe('a worker that is lost', () => {
   test('leaves the last surface, which is opened again and gone on from', () => {
@@ -59,5 +61,37 @@ describe('a worker that is lost', () => {
     expect(working(lost)).toEqual([]);
     expect(lost.view.alert?.message).toMatch(/WebAssembly/);
     expect(reduce(lost, drop('spot.obj'))).toBe(lost);
+    const again = reduce(lost, { type: 'retryPressed' });
+    expect(leaves(again)).toMatchObject({ status: 'loading', alert: null, opening: { source: { name: 'two-3' } } });
+    expect(leaves(after(again, ...openedMessages(2)))).toMatchObject({ status: 'resting', cage: { name: 'two-3' } });
+  });
+
+  test('for good in the middle of a run keeps its surface for another try', () => {
+    const loss = /** @type {const} */ ({ type: 'workerLost', detail: '' });
+    const lost = after(running(), { ...loss, loss: 'broken' }, { ...loss, loss: 'unloadable' });
+    expect(leaves(lost)).toMatchObject({ status: 'unavailable', saved: { evaluations: 5 } });
+    const again = reduce(lost, { type: 'retryPressed' });
+    expect(again.session.opening).toMatchObject({ purpose: 'recovery', start: surfaceState(0, 5) });
+    expect(leaves(after(again, ...openedMessages(3)))).toMatchObject({ status: 'ended', stop: 'interrupted' });
+  });
+
+  test('is replaced by one on the real core that goes on from the last copy, after a trap and after another', async () => {
+    await load();
+    const studio = createStudio();
+    studio.do({ type: 'settingsChanged', change: { levels: [0, 3] } });
+    for (let i = 0; i < 2; i++) {
+      studio.dispatch({ type: 'startPressed' });
+      do studio.work(1);
+      while (!studio.state.document.result.samples.length || !studio.state.document.result.saved?.evaluations);
+      const { saved } = studio.state.document.result;
+      expect(studio.state.session.phase.name).toBe('running');
+      studio.lose('broken');
+      studio.work();
+      expect(leaves(studio.state)).toMatchObject({ status: 'ended', stop: 'interrupted', saved });
+    }
+    studio.do({ type: 'startPressed' });
+    expect(studio.state.document.result.stop).toBe('converged');
+    studio.do({ type: 'undoPressed' });
+    expect(studio.state.document.result.stop).toBe('interrupted');
   });
 });

@@ -36,6 +36,7 @@ export function createStudio(search = '', begun = initialState('system', parseSt
     client: {
       send: (command) => waiting.push(() => obey(command)),
       abandon() {},
+      restart() {},
     },
     save: (name, text) => files.push({ name, text }),
     load() {},
@@ -79,6 +80,15 @@ export function createStudio(search = '', begun = initialState('system', parseSt
       dispatch({ type: 'workerLost', loss, detail: '' });
     },
   };
+}
+
+/** A deep copy of plain data, as the store gives it back. @param {any} value @returns {any} */
+export function copied(value) {
+  if (ArrayBuffer.isView(value)) return /** @type {any} */ (value).slice();
+  if (value instanceof Map) return new Map([...value].map(([key, part]) => [key, copied(part)]));
+  if (Array.isArray(value)) return value.map(copied);
+  if (!value || typeof value !== 'object') return value;
+  return Object.fromEntries(Object.entries(value).map(([key, part]) => [key, copied(part)]));
 }
 
 /** The text of plain data; numbers in arrays of bytes by their bits. @param {unknown} value */

@@ -4,7 +4,9 @@
  * come back with the next visit.
  */
 import { parseStudioAddress } from '../../address/studio.js';
+import { projectName } from './names.js';
 import { createOpenDocument } from './open_document.js';
+import { formatProject, parseProject } from './project.js';
 import { isBusy, isUntouched, keepsOther, keptFrom, stateFrom } from './state/kept.js';
 import { withView } from './state/parts.js';
 import { initialState } from './state/reduce.js';
@@ -28,7 +30,7 @@ const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).sli
 
 /**
  * @param {object} surroundings
- * @param {Pick<Surroundings, 'createWorker' | 'save' | 'load'>} surroundings.outside
+ * @param {Pick<Surroundings, 'connect' | 'save' | 'load'>} surroundings.outside
  * @param {ReturnType<typeof createKeeper>} surroundings.keeper
  * @param {ReturnType<typeof createOwnership>} surroundings.ownership
  * @param {(search: string, id: string) => void} surroundings.setAddress of the document on the screen
@@ -206,6 +208,29 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
         const name = count > 1 ? `${title} (${count})` : title;
         return { id, name, running: document.state.session.phase.name === 'running', active: id === active };
       });
+    },
+
+    /** The file of the document on the screen. @returns {{name: string, text: string} | null} null if it has nothing yet */
+    project() {
+      const { state } = current().document;
+      if (!state.document.cage) return null;
+      return { name: projectName(state), text: formatProject(keptFrom(state), documentName(state)) };
+    },
+
+    /** Opens the file of a project as a document of its own, in the place of one with which nothing was done. @param {string} name @param {Uint8Array} text */
+    openProject(name, text) {
+      const before = current();
+      try {
+        const { kept } = parseProject(new TextDecoder().decode(text));
+        const id = newId();
+        void ownership.take(id);
+        put(id, stateFrom(withView(initialState(), { theme: before.document.state.view.theme }), kept));
+        show(id);
+        if (isUntouched(before.document.state)) void this.close(before.id);
+      } catch (error) {
+        const message = error instanceof Error ? error.message : String(error);
+        before.document.dispatch({ type: 'fileRefused', name, message });
+      }
     },
 
     /** Opens a new document with the shape that the studio begins with. */

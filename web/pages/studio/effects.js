@@ -30,7 +30,7 @@ function onceEach(work) {
 
 /**
  * @param {object} surroundings
- * @param {Pick<Client, 'send' | 'abandon'>} surroundings.client
+ * @param {Pick<Client, 'send' | 'abandon' | 'restart'>} surroundings.client
  * @param {(name: string, text: string, type: string) => void} surroundings.save
  * @param {(name: EntryName) => void} surroundings.load finds an entry of the catalog; ends in `entryLoaded` or `entryMissing`
  * @param {(search: string) => void} surroundings.setAddress
@@ -56,10 +56,12 @@ export function createEffects({ client, save, load, setAddress }) {
   }
 
   return (action, before, after) => {
+    const tried = action?.type === 'retryPressed';
+    if (tried && before?.session.phase.name === 'unavailable') client.restart();
     open(before, after);
     follow(formatStudioAddress(addressOf(after)));
     const { run, wanted } = after.session;
-    if (wanted && wanted !== before?.session.wanted) load(wanted);
+    if (wanted && (tried || wanted !== before?.session.wanted)) load(wanted);
     if (!action || !before) return;
     const [was, is] = [before.session.phase, after.session.phase];
     switch (action.type) {

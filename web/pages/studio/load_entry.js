@@ -12,8 +12,8 @@ import { loadCatalog, loadReport } from '../../files/catalog.js';
 
 /**
  * @param {EntryName} name
- * @returns {Promise<{entry: CatalogEntry, report: Report} | {missing: string}>} `missing` is a
- *   sentence that says why there is none; the promise is never rejected
+ * @returns {Promise<{entry: CatalogEntry, report: Report} | {missing: string, retry?: boolean}>} `missing` is a
+ *   sentence that says why there is none, and `retry` whether it may be there another time; the promise is never rejected
  */
 export async function loadEntry(name) {
   // Loads both files at once: a minimizer's file is named after its shape and functional.
@@ -23,6 +23,6 @@ export async function loadEntry(name) {
     const found = findEntry(await loadCatalog(), name);
     return 'missing' in found ? found : { ...found, report: await report };
   } catch (error) {
-    return { missing: error instanceof Error ? error.message : String(error) };
+    return { missing: error instanceof Error ? error.message : String(error), retry: true };
   }
 }

@@ -7,6 +7,9 @@ import { stemOf } from '../../words/cages.js';
 /** @import {State} from './state/types.js' */
 /** @import {Exportable} from '../../worker/protocol.js' */
 
+/** "two-3.umbilic.json" @param {State} state */
+export const projectName = ({ document }) => `${stemOf(document.cage?.name ?? 'cage')}.umbilic.json`;
+
 /**
  * "two-3-mvs_cross-level2.obj", "two-3-mvs_cross-level2-limit.obj", "two-3-mvs_cross.json",
  * "two-3-mvs_cross-problem.json"; without the functional

@@ -2,24 +2,26 @@
 /**
  * @file One document that is open: its state, and its worker, which it has only while it is on the screen or runs.
  */
-import { createClient } from '../../worker/client.js';
 import { createEffects } from './effects.js';
 import { isBusy } from './state/kept.js';
 import { withView } from './state/parts.js';
 import { reduce } from './state/reduce.js';
 
 /** @import {EntryName} from '../../address/compare.js' */
-/** @import {Client, WorkerLike} from '../../worker/client.js' */
+/** @import {Client, Loss} from '../../worker/client.js' */
+/** @import {Message} from '../../worker/protocol.js' */
 /** @import {Action, State} from './state/types.js' */
 
 /**
  * @typedef {object} Surroundings
- * @property {() => WorkerLike} createWorker
+ * @property {(hear: Hear) => Client} connect starts a worker
  * @property {(name: string, text: string, type: string) => void} save offers a file
  * @property {(name: EntryName) => Promise<Action>} load finds an entry of the catalog
  * @property {(search: string) => void} setAddress
  * @property {(before: State, after: State) => void} changed
  */
+
+/** What is told of a worker. @typedef {{onMessage: (message: Message) => void, onLost: (loss: Loss, detail: string) => void}} Hear */
 
 /** @typedef {ReturnType<typeof createOpenDocument>} OpenDocument */
 
@@ -27,19 +29,22 @@ import { reduce } from './state/reduce.js';
  * @param {State} begun
  * @param {Surroundings} surroundings
  */
-export function createOpenDocument(begun, { createWorker, save, load, setAddress, changed }) {
+export function createOpenDocument(begun, { connect, save, load, setAddress, changed }) {
   let state = begun;
   /** @type {Client | null} */
   let client = null;
 
   const awake = () =>
-    (client ??= createClient({
-      createWorker,
+    (client ??= connect({
       onMessage: (message) => dispatch({ type: 'answered', message }),
       onLost: (loss, detail) => dispatch({ type: 'workerLost', loss, detail }),
     }));
   const effects = createEffects({
-    client: { send: (command) => awake().send(command), abandon: () => awake().abandon() },
+    client: {
+      send: (command) => awake().send(command),
+      abandon: () => awake().abandon(),
+      restart: () => awake().restart(),
+    },
     save,
     load: async (name) => dispatch(await load(name)),
     setAddress,

@@ -32,7 +32,7 @@ export function findEntry({ shapes, functionals, entries }, { shape, functional 
  * @returns {State}
  */
 export function openEntry(state, { name, entry, report }) {
-  if (state.session.wanted !== name) return state;
+  if (state.session.wanted !== name || state.session.phase.name === 'unavailable') return state;
   const source = sourceOf(report.problem.cage, name.shape);
   if (source.kind !== 'generated') return openWithout(state, 'It has no generated cage.');
   const prepared = withDocument(withSession(state, { wanted: null }), {
@@ -47,10 +47,12 @@ export function openEntry(state, { name, entry, report }) {
  * Opens the cage, with a notice, if the minimizer does not exist or cannot be opened.
  * @param {State} state
  * @param {string} message
+ * @param {EntryName | null} [retry] the entry, if it may be there another time
  * @returns {State}
  */
-export function openWithout(state, message) {
-  return openGenerated(withView(state, { alert: { title: 'The catalog’s minimizer was not opened', message } }));
+export function openWithout(state, message, retry = null) {
+  const title = 'The catalog’s minimizer was not opened';
+  return openGenerated(withView(state, { alert: { title, message, ...(retry && { retry }) } }));
 }
 
 /**

@@ -34,7 +34,8 @@ export function afterLoss(state, loss, detail) {
   const idle = withSession(state, { opening: null, exporting: false });
   if (loss === 'unloadable') {
     const unavailable = withSession(idle, { phase: phases.unavailable });
-    return withView(unavailable, { alert: { title, message: detail || 'WebAssembly with SIMD is needed.' } });
+    const message = `Check the connection, and try again. The browser needs WebAssembly with SIMD.${detail && ` (${detail})`}`;
+    return withView(unavailable, { alert: { title, message, retry: 'core' } });
   }
   const stopped = certifyingOf(state.session.phase) ? afterCertificate(idle, detail) : afterRun(idle, title, detail);
   const { cage, result } = state.document;

@@ -21,7 +21,7 @@ import {
   withSettings,
   withView,
 } from './parts.js';
-import { restored } from './restore.js';
+import { restored, retried } from './restore.js';
 import { changeSettings, defaultSettings, problemWith } from './settings.js';
 
 /** @import {StudioAddress} from '../../../address/studio.js' */
@@ -221,7 +221,11 @@ function changed(state, action) {
     case 'entryLoaded':
       return openEntry(state, action);
     case 'entryMissing':
-      return session.wanted === action.name ? openWithout(state, action.message) : state;
+      return session.wanted === action.name
+        ? openWithout(state, action.message, action.retry ? action.name : null)
+        : state;
+    case 'retryPressed':
+      return retried(state);
     case 'againPressed':
       return again(state);
     case 'viewChanged':

@@ -62,6 +62,22 @@ function reopened(state, source) {
   return opening ? withSession(opened, { opening: { ...opening, settings: result.settings } }) : opened;
 }
 
+/**
+ * Tries again what could not be loaded: the core, or an entry of the catalog.
+ * @param {State} state
+ * @returns {State}
+ */
+export function retried(state) {
+  const { retry } = state.view.alert ?? {};
+  if (!retry) return state;
+  const again = withView(state, { alert: null });
+  if (retry !== 'core') return withSession(again, { wanted: retry, opening: null });
+  const { document, session } = again;
+  const loading = withSession(again, { phase: { name: 'loading' } });
+  if (session.wanted && !document.cage) return loading;
+  return restored(loading, document, hasMoved(document.result) ? 'ended' : 'resting');
+}
+
 /** @param {Phase['name']} name @returns {Phase} */
 function phaseOf(name) {
   if (name === 'ended') return { name, certifying: null };

@@ -101,7 +101,7 @@
  * @typedef {{entry: CatalogEntry, settings: Settings}} OpenEntry
  */
 
-/** @typedef {{title: string, message: string}} Alert */
+/** `retry` is what can be tried again: to load the core, or an entry of the catalog. @typedef {{title: string, message: string, retry?: 'core' | EntryName}} Alert */
 
 /**
  * What came out of a problem: the run on the screen.
@@ -213,7 +213,8 @@
  * 'resetPressed'}
  *   | {type: 'certifyPressed'} | {type: 'certificateCancelPressed'}
  *   | {type: 'entryLoaded', name: EntryName, entry: CatalogEntry, report: Report}
- *   | {type: 'entryMissing', name: EntryName, message: string}
+ *   | {type: 'entryMissing', name: EntryName, message: string, retry?: boolean}
+ *   | {type: 'retryPressed'}
  *   | {type: 'againPressed'}
  *   | {type: 'viewChanged', change: Partial<View>}
  *   | {type: 'fitPressed'}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Undo and redo, by button and by key.
+ * @file Undo, redo and saving the document, by button and by key.
  */
 import { find, onPress, setEnabled, setText } from '../../../views/dom.js';
 import { redoName, undoName } from '../state/history.js';
@@ -10,9 +10,11 @@ import { redoName, undoName } from '../state/history.js';
 /** Fields in which the browser itself takes back what is typed. */
 const TYPED = 'input:not([type]), input[type=text], input[type=number], input[type=search], textarea';
 
-/** @param {KeyboardEvent} event @returns {'undo' | 'redo' | null} */
+/** @param {KeyboardEvent} event @returns {'undo' | 'redo' | 'save' | null} */
 function keyOf({ key, ctrlKey, metaKey, shiftKey, altKey, target }) {
-  if (!(ctrlKey || metaKey) || altKey || (target instanceof Element && target.matches(TYPED))) return null;
+  if (!(ctrlKey || metaKey) || altKey) return null;
+  if (key.toLowerCase() === 's' && !shiftKey) return 'save';
+  if (target instanceof Element && target.matches(TYPED)) return null;
   if (key.toLowerCase() === 'z') return shiftKey ? 'redo' : 'undo';
   return key.toLowerCase() === 'y' && !shiftKey ? 'redo' : null;
 }
@@ -20,8 +22,9 @@ function keyOf({ key, ctrlKey, metaKey, shiftKey, altKey, target }) {
 /**
  * @param {HTMLElement} root
  * @param {(action: Action) => void} dispatch
+ * @param {() => void} save the document as a file
  */
-export function createEditView(root, dispatch) {
+export function createEditView(root, dispatch, save) {
   const listening = new AbortController();
   const { signal } = listening;
   const said = find(root, '[role=status]');
@@ -51,13 +54,15 @@ export function createEditView(root, dispatch) {
   }
 
   for (const what of /** @type {const} */ (['undo', 'redo'])) onPress(commands[what].button, () => run(what), signal);
+  find(root, '#save').addEventListener('click', save, { signal });
   document.addEventListener(
     'keydown',
     (event) => {
       const what = keyOf(event);
       if (!what) return;
       event.preventDefault();
-      run(what);
+      if (what === 'save') save();
+      else run(what);
     },
     { signal },
   );

@@ -14,12 +14,19 @@ import { certifyingOf } from '../state/parts.js';
 export function createAlertView(root, dispatch) {
   const listening = new AbortController();
   const box = find(root, 'div');
-  find(root, 'button').addEventListener('click', () => dispatch({ type: 'alertDismissed' }), {
+  find(root, '.dismiss').addEventListener('click', () => dispatch({ type: 'alertDismissed' }), {
     signal: listening.signal,
   });
   const show = whenChanged((/** @type {View['alert']} */ alert) => {
     root.hidden = !alert;
-    box.replaceChildren(...(alert ? [element('strong', {}, alert.title), element('p', {}, alert.message)] : []));
+    if (!alert) return box.replaceChildren();
+    const again = element('button', { type: 'button' }, 'Try again');
+    again.addEventListener('click', () => dispatch({ type: 'retryPressed' }), { signal: listening.signal });
+    box.replaceChildren(
+      element('strong', {}, alert.title),
+      element('p', {}, alert.message),
+      ...(alert.retry ? [again] : []),
+    );
   });
   return {
     /** @param {State} state */

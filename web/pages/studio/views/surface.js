@@ -9,6 +9,7 @@ import { heldFaces } from '../state/hold.js';
 import { cageOnScreen } from '../state/taken.js';
 import { createBoundaryEdges } from './boundary_edges.js';
 import { listenToBrush } from './brush.js';
+import { createUndrawnView } from './undrawn.js';
 import { find, whenChanged } from '../../../views/dom.js';
 import { listenToKeys } from '../../../views/keys.js';
 
@@ -46,6 +47,10 @@ export function createSurfaceView(root, dispatch) {
     signal,
   });
   find(root, '#fit').addEventListener('click', () => dispatch({ type: 'fitPressed' }), { signal });
+
+  const undrawn = createUndrawnView(root);
+  canvas.addEventListener('webglcontextlost', () => undrawn.tell('lost'), { signal });
+  canvas.addEventListener('webglcontextrestored', () => undrawn.tell(null), { signal });
 
   listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal);
   /** @type {Pointer} */
