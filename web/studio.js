@@ -2,6 +2,7 @@
 /**
  * @file The studio's entry point: its documents, where they are kept, and the views that show one of them.
  */
+import { parseStudioAddress } from './address/studio.js';
 import { allQuantities, deviation } from './colour/quantities.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
@@ -10,6 +11,7 @@ import { createKeeper } from './pages/studio/keeper.js';
 import { loadEntry } from './pages/studio/load_entry.js';
 import { createOwnership } from './pages/studio/ownership.js';
 import { isProject } from './pages/studio/project.js';
+import { initialState } from './pages/studio/state/reduce.js';
 import { createBoundariesView } from './pages/studio/views/boundaries.js';
 import { createCageView } from './pages/studio/views/cage.js';
 import { createCertificateView } from './pages/studio/views/certificate.js';
@@ -33,6 +35,7 @@ import { createLegendView } from './views/legend.js';
 import { createThemeView } from './views/theme.js';
 import { deviationUnit } from './words/holding.js';
 import { createClient } from './worker/client.js';
+import { createSpare } from './worker/spare.js';
 import { createRequests } from './worker/requests.js';
 
 /** @import {Action} from './pages/studio/state/types.js' */
@@ -49,16 +52,19 @@ const keeper = createKeeper({
     show();
   },
 });
+const createWorker = createSpare(() => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }));
+/** The entry that the address names is loaded while the store is read. @type {ReturnType<typeof loadEntry> | null} */
+let early = null;
+const { wanted } = initialState('system', parseStudioAddress(location.search)).session;
+if (wanted) early = loadEntry(wanted);
 const desk = createDesk({
   outside: {
-    connect: (hear) =>
-      createClient({
-        createWorker: () => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }),
-        ...hear,
-      }),
+    connect: (hear) => createClient({ createWorker, ...hear }),
     save: saveFile,
     load: async (name) => {
-      const found = await loadEntry(name);
+      const loaded = name.shape === wanted?.shape && name.functional === wanted.functional ? early : null;
+      early = null;
+      const found = await (loaded ?? loadEntry(name));
       return 'missing' in found
         ? { type: 'entryMissing', name, message: found.missing, retry: found.retry }
         : { type: 'entryLoaded', name, ...found };
