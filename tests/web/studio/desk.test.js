@@ -4,14 +4,14 @@
  * which address, and which documents have a worker.
  */
 import { beforeAll, beforeEach, describe, expect, jest, test } from '@jest/globals';
-import { Cage, InputError, Minimizer, load, parseReport } from '../../../wasm/umbilic.js';
+import { load } from '../../../wasm/umbilic.js';
 import { createDesk } from '../../../web/pages/studio/desk.js';
 import { KEEP_INTERVAL, createKeeper } from '../../../web/pages/studio/keeper.js';
 import { createOwnership } from '../../../web/pages/studio/ownership.js';
 import { keptFrom } from '../../../web/pages/studio/state/kept.js';
 import { reduce } from '../../../web/pages/studio/state/reduce.js';
 import { createSession } from '../../../web/worker/session.js';
-import { copied } from './real.js';
+import { copied, core } from './real.js';
 import { after, drop, openedMessages, resting, running } from './state.js';
 
 /** @typedef {import('../../../web/worker/store.js').StoreQuestion} StoreQuestion */
@@ -63,7 +63,7 @@ function createPage() {
     workers++;
     let alive = true;
     const obey = createSession({
-      core: { Cage, InputError, Minimizer, parseReport },
+      core,
       post: (message) => alive && onMessage(message),
       yieldThen: (task) => waiting.push(() => alive && task()),
       now: () => (clock += 5),

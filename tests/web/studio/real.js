@@ -12,6 +12,17 @@ import { createSession } from '../../../web/worker/session.js';
 /** @typedef {import('../../../web/pages/studio/state/types.js').Action} Action */
 /** @typedef {import('../../../web/pages/studio/state/types.js').State} State */
 
+/** Its meshes are no finer than the tests need. */
+class CoarseMinimizer extends Minimizer {
+  /** @param {number} density */
+  limitMesh(density) {
+    return super.limitMesh(Math.min(density, 2));
+  }
+}
+
+/** The core for a session. */
+export const core = { Cage, InputError, Minimizer: CoarseMinimizer, parseReport };
+
 /** @param {string} [search] of the address @param {State} [begun] the state to begin with */
 export function createStudio(search = '', begun = initialState('system', parseStudioAddress(search))) {
   /** Commands and work, in their order. @type {Array<() => void>} */
@@ -24,7 +35,7 @@ export function createStudio(search = '', begun = initialState('system', parseSt
 
   function createWorker() {
     const mine = createSession({
-      core: { Cage, InputError, Minimizer, parseReport },
+      core,
       post: (message) => obey === mine && dispatch({ type: 'answered', message }),
       yieldThen: (task) => waiting.push(task),
       now: () => (clock += 5),

@@ -4,10 +4,10 @@
  */
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { load } from '../../../wasm/umbilic.js';
-import { MOST_STEPS, redoName, undoName } from '../../../web/pages/studio/state/history.js';
+import { MOST_BYTES, MOST_STEPS, redoName, undoName } from '../../../web/pages/studio/state/history.js';
 import { fish } from '../../browser/fish.js';
 import { bytes, createStudio } from './real.js';
-import { leaves } from './state.js';
+import { after, answered, drop, leaves, openedMessages, resting } from './state.js';
 
 /** @typedef {import('../../../web/pages/studio/state/types.js').Action} Action */
 /** @typedef {import('../../../web/pages/studio/state/types.js').Settings} Settings */
@@ -97,6 +97,16 @@ describe('a step', () => {
     studio.do();
     for (let i = 0; i < MOST_STEPS + 5; i++) studio.dispatch(set({ tolerance: 1 / (i + 1) }));
     expect(studio.state.history.past).toHaveLength(MOST_STEPS);
+  });
+
+  test('is forgotten when the surfaces of those after it take too much memory', () => {
+    const large = /** @type {any} */ ({ level: 6, points: { length: (0.4 * MOST_BYTES) / 8 } });
+    let state = after(resting(), { type: 'settingsChanged', change: { cap: 'flat' } }, ...openedMessages(2));
+    for (let run = 3; run < 8; run++) {
+      const saved = answered({ type: 'saved', run: run - 1, evaluations: 0, state: large });
+      state = after(state, saved, drop(`${run}.obj`), ...openedMessages(run));
+    }
+    expect(state.history.past.map(({ name }) => name)).toEqual(['open 6.obj', 'open 7.obj']);
   });
 });
 

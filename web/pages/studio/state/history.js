@@ -11,8 +11,9 @@ import { hasMoved, restored } from './restore.js';
 
 /** @import {Action, Asked, Document, History, State, Step} from './types.js' */
 
-/** So many steps are remembered. */
+/** So many steps are remembered, and so many bytes of surfaces in them; the last step always. */
 export const MOST_STEPS = 100;
+export const MOST_BYTES = 256e6;
 
 /** @type {History} */
 export const noHistory = { past: [], future: [] };
@@ -25,10 +26,16 @@ const asksTheSame = (one, other) =>
   (one.settings === other.settings && one.generator === other.generator) ||
   JSON.stringify(askedIn(one)) === JSON.stringify(askedIn(other));
 
+/** @param {Step} step */
+const bytesOf = (step) => ('document' in step ? 8 * (step.document.result.saved?.state.points.length ?? 0) : 0);
+
 /** @param {State} state @param {Step} step @returns {State} */
 function withStep(state, step) {
   const past = [...state.history.past, step].slice(-MOST_STEPS);
-  return { ...state, history: { past, future: [] } };
+  let bytes = past.reduce((sum, one) => sum + bytesOf(one), 0);
+  let gone = 0;
+  while (bytes > MOST_BYTES && gone < past.length - 1) bytes -= bytesOf(past[gone++]);
+  return { ...state, history: { past: past.slice(gone), future: [] } };
 }
 
 /**
