@@ -210,11 +210,13 @@ describe('a document', () => {
       expect(await tabs(page)).toEqual([`${name} *`]);
       expect(await page.getByRole('checkbox', { name: group }).isChecked()).toBe(true);
     }
-    // What a page had that is gone belongs to the next one.
+    // What a page had that is gone can be opened in another, and is opened in the next new one.
     await second.close();
     await first.reload();
     await first.locator('.facts').filter({ hasText: 'one.obj' }).waitFor();
-    expect(await tabs(first)).toEqual(['one.obj *', 'two.obj']);
+    await button(first, 'Reopen closed').click();
+    await first.locator('.facts').filter({ hasText: 'two.obj' }).waitFor();
+    expect(await tabs(first)).toEqual(['one.obj', 'two.obj *']);
     await first.context().close();
   }, 240_000);
 });

@@ -39,7 +39,7 @@ const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).sli
 export function createDesk({ outside, keeper, ownership, setAddress, changed }) {
   /** In the order of their tabs. @type {Map<string, Open>} */
   const open = new Map();
-  /** Closed documents, the last one last. @type {string[]} */
+  /** Closed documents, and those whose page was closed, the last one last. @type {string[]} */
   let closed = [];
   let active = '';
 
@@ -135,7 +135,7 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
   }
 
   /**
-   * Brings back what was open, and shows what the page was asked for: the document that it showed before a reload, one
+   * Brings back what was open in this browser tab, or in any if there is nothing of its own, and shows what the page was asked for: the document that it showed before a reload, one
    * with the address, or a new one.
    * @param {{search: string, shown: string | null, theme: State['view']['theme']}} asked `shown` is the document that this
    *   page showed
@@ -144,13 +144,17 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     const begun = initialState(theme, parseStudioAddress(search));
     const all = await keeper.list().catch(() => []);
     const order = all.filter((one) => !one.closed).sort((a, b) => (a.id < b.id ? -1 : 1));
-    for (const stored of order) await bringBack(stored, begun);
+    const own = order.filter(({ id }) => ownership.had(id));
+    for (const stored of own.length ? own : order) await bringBack(stored, begun);
     const again = shown !== null && open.has(shown);
     if (!again) await dropUntouched(search);
     const last = [...open.values()].sort((a, b) => b.seen - a.seen)[0];
     const same = [...open.values()].find(({ address }) => address === search);
     const chosen = again ? shown : search ? same?.id : last?.id;
     await forgetClosed(all.filter((one) => one.closed));
+    // Those of a page that is gone. One that is being loaded again must not find them taken.
+    const others = order.filter(({ id, content }) => !open.has(id) && content.past.length + content.future.length > 0);
+    closed = [...closed, ...(await ownership.free(others.map(({ id }) => id)))];
     if (chosen) show(chosen);
     else begin(begun);
     for (const { id, document } of open.values()) {
@@ -271,9 +275,11 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
 
     /** Opens the document again that was closed last. */
     async reopen() {
-      const id = closed.at(-1);
-      closed = closed.slice(0, -1);
-      const stored = (await keeper.list().catch(() => [])).find((one) => one.id === id);
+      const all = await keeper.list().catch(() => []);
+      const free = new Set(await ownership.free(closed));
+      const id = closed.findLast((one) => free.has(one) && all.some((stored) => stored.id === one));
+      const stored = all.find((one) => one.id === id);
+      closed = closed.filter((one) => one !== id && free.has(one));
       const back =
         stored && (await bringBack(stored, withView(initialState(), { theme: current().document.state.view.theme })));
       if (back) show(back.id);

@@ -40,6 +40,15 @@ export function createOwnership(locks = globalThis.navigator?.locks, storage = (
   }
 
   return {
+    /** Whether this browser tab owned a document before it was loaded again. @param {string} id */
+    had: (id) => before.has(id),
+
+    /** Which of these documents no page owns. @param {string[]} ids @returns {Promise<string[]>} */
+    async free(ids) {
+      const held = new Set((await locks?.query())?.held?.map(({ name }) => name));
+      return ids.filter((id) => !held.has(lockOf(id)));
+    },
+
     /** Takes a document unless another page owns it. @param {string} id @returns {Promise<boolean>} whether it is owned */
     take(id) {
       if (!locks || owned.has(id)) return Promise.resolve(true);

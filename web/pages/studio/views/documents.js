@@ -46,6 +46,8 @@ export function createDocumentsView(root, { show, close, create, reopen }) {
     const place = inside ? focused.closest('li')?.querySelector('button')?.dataset.id : undefined;
     const closing = inside && focused.classList.contains('close');
     list.replaceChildren(...tabs.map(item));
+    const active = /** @type {HTMLElement | null} */ (list.querySelector('.active'));
+    if (active) list.scrollLeft = active.offsetLeft + active.offsetWidth - list.clientWidth;
     if (!inside) return;
     // The button that had the focus is another one now, or gone.
     const same = list.querySelector(`[data-id="${place}"]`);
