@@ -1,64 +1,91 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The studio's entry point: its state, its reducer, the worker and the views.
+ * @file The studio's entry point: its documents, where they are kept, and the views that show one of them.
  */
 import { parseStudioAddress } from './address/studio.js';
 import { allQuantities, deviation } from './colour/quantities.js';
-import { createEffects } from './effects.js';
-import { loadEntry } from './files/entry.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
-import { initialState, reduce } from './state/reduce.js';
-import { createBoundariesView } from './views/boundaries.js';
-import { createCageView } from './views/cage.js';
-import { createCertificateView } from './views/certificate.js';
-import { createClosenessView } from './views/closeness.js';
+import { createDesk } from './pages/studio/desk.js';
+import { createKeeper } from './pages/studio/keeper.js';
+import { loadEntry } from './pages/studio/load_entry.js';
+import { createOwnership } from './pages/studio/ownership.js';
+import { isProject } from './pages/studio/project.js';
+import { initialState } from './pages/studio/state/reduce.js';
+import { createBoundariesView } from './pages/studio/views/boundaries.js';
+import { createCageView } from './pages/studio/views/cage.js';
+import { createCertificateView } from './pages/studio/views/certificate.js';
+import { createClosenessView } from './pages/studio/views/closeness.js';
+import { createDocumentsView } from './pages/studio/views/documents.js';
+import { createDropView, createFileTaker } from './pages/studio/views/drop.js';
+import { createEditView } from './pages/studio/views/edit.js';
+import { createEntryView } from './pages/studio/views/entry.js';
+import { createHeldKeyView, createHoldView } from './pages/studio/views/hold.js';
+import { createLimitView } from './pages/studio/views/limit.js';
+import { createAlertView, createDownloadsView } from './pages/studio/views/notices.js';
+import { createObjectiveView } from './pages/studio/views/objective.js';
+import { createPinsView } from './pages/studio/views/pins.js';
+import { createPlotView } from './pages/studio/views/plot.js';
+import { createRunView } from './pages/studio/views/run.js';
+import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
+import { createUndrawnView } from './pages/studio/views/undrawn.js';
 import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
-import { createDropView, createFileTaker } from './views/drop.js';
-import { createEntryView } from './views/entry.js';
-import { createHeldKeyView, createHoldView } from './views/hold.js';
 import { createLegendView } from './views/legend.js';
-import { createLimitView } from './views/limit.js';
-import { createAlertView, createDownloadsView } from './views/notices.js';
-import { createObjectiveView } from './views/objective.js';
-import { createPinsView } from './views/pins.js';
-import { createPlotView } from './views/plot.js';
-import { createRunView } from './views/run.js';
-import { createEnergiesView, createLevelsView } from './views/tables.js';
 import { createThemeView } from './views/theme.js';
 import { deviationUnit } from './words/holding.js';
 import { createClient } from './worker/client.js';
+import { createSpare } from './worker/spare.js';
+import { createRequests } from './worker/requests.js';
 
-/** @import {Action} from './state/types.js' */
+/** @import {Action} from './pages/studio/state/types.js' */
 
-const client = createClient({
-  createWorker: () => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }),
-  onMessage: (message) => dispatch({ type: 'answered', message }),
-  onLost: (loss, detail) => dispatch({ type: 'workerLost', loss, detail }),
-});
-const effects = createEffects({
-  client,
-  save: saveFile,
-  load: async (name) => {
-    const found = await loadEntry(name);
-    dispatch(
-      'missing' in found
-        ? { type: 'entryMissing', name, message: found.missing }
-        : { type: 'entryLoaded', name, ...found },
-    );
+/** Why the browser does not keep the documents; null if it does. @type {string | null} */
+let unkept = null;
+/** @type {import('./worker/store.js').AskStore} */
+const ask = createRequests(() => new Worker(new URL('./worker/store.js', import.meta.url), { type: 'module' }));
+const keeper = createKeeper({
+  ask,
+  told(failure) {
+    if (failure === unkept) return;
+    unkept = failure;
+    show();
   },
-  setAddress: (search) => history.replaceState(null, '', location.pathname + search),
 });
-let state = initialState(storedTheme(), parseStudioAddress(location.search));
+const createWorker = createSpare(() => new Worker(new URL('./worker/worker.js', import.meta.url), { type: 'module' }));
+/** The entry that the address names is loaded while the store is read. @type {ReturnType<typeof loadEntry> | null} */
+let early = null;
+const { wanted } = initialState('system', parseStudioAddress(location.search)).session;
+if (wanted) early = loadEntry(wanted);
+const desk = createDesk({
+  outside: {
+    connect: (hear) => createClient({ createWorker, ...hear }),
+    save: saveFile,
+    load: async (name) => {
+      const loaded = name.shape === wanted?.shape && name.functional === wanted.functional ? early : null;
+      early = null;
+      const found = await (loaded ?? loadEntry(name));
+      return 'missing' in found
+        ? { type: 'entryMissing', name, message: found.missing, retry: found.retry }
+        : { type: 'entryLoaded', name, ...found };
+    },
+  },
+  keeper,
+  ownership: createOwnership(),
+  setAddress: (search, id) => history.replaceState({ document: id }, '', location.pathname + search),
+  changed: () => show(),
+});
 
 /** @param {Action} action */
 function dispatch(action) {
-  const before = state;
-  state = reduce(before, action);
-  effects(action, before, state);
-  if (state.view.theme !== before.view.theme) storeTheme(state.view.theme);
-  show();
+  if (action.type === 'viewChanged' && action.change.theme) storeTheme(action.change.theme);
+  if (action.type === 'fileChosen' && isProject(action.text)) desk.openProject(action.name, action.text);
+  else desk.dispatch(action);
+}
+
+function saveProject() {
+  const project = desk.project();
+  if (project) saveFile(project.name, project.text, 'application/json');
 }
 
 const takeFiles = createFileTaker(dispatch);
@@ -70,12 +97,22 @@ const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), 
 const legend = createLegendView(
   byId('legend'),
   (shading) => dispatch({ type: 'viewChanged', change: { shading } }),
-  (quantity) => (quantity === deviation ? deviationUnit(state.cage?.source.kind === 'text') : `in ${quantity.unit}`),
+  (quantity) => {
+    const fromFile = desk.state.document.cage?.source.kind === 'text';
+    return quantity === deviation ? deviationUnit(fromFile) : `in ${quantity.unit}`;
+  },
   allQuantities,
 );
-/** @type {ReturnType<typeof import('./views/surface.js').createSurfaceView> | null} */
+/** @type {ReturnType<typeof import('./pages/studio/views/surface.js').createSurfaceView> | null} */
 let surface = null;
+const documents = createDocumentsView(byId('documents'), {
+  show: (id) => desk.show(id),
+  close: (id) => void desk.close(id),
+  create: () => desk.create(),
+  reopen: () => void desk.reopen(),
+});
 const plain = [
+  createEditView(byId('edit'), dispatch, saveProject),
   createEntryView(byId('entry'), dispatch),
   createCageView(byId('cage'), dispatch, takeFiles),
   createHoldView(byId('hold'), dispatch),
@@ -97,22 +134,37 @@ createDropView(byId('drop'), takeFiles);
 createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')));
 
 function show() {
+  if (!desk.isOpen) return;
+  const { state } = desk;
   const dark = theme.update(state.view.theme);
   // While the surface moves, the range changes rarely; another cage or a surface at rest gets its own range.
   const range = legend.update({
     shading: state.view.shading,
-    deviations: state.surface?.deviations,
-    curvatures: state.surface ? [state.surface.limit.curvatures] : [],
-    occasion: `${state.run} ${state.status === 'running'}`,
+    deviations: state.view.surface?.deviations,
+    curvatures: state.view.surface ? [state.view.surface.limit.curvatures] : [],
+    occasion: `${state.session.run} ${state.session.phase.name === 'running'}`,
   });
   surface?.update(state, range, dark);
   for (const view of plain) view.update(state);
-  setText(byId('version'), state.version);
+  documents.update({ tabs: desk.tabs(), canReopen: desk.canReopen, unkept });
+  setText(byId('version'), state.session.version);
 }
 
-effects({ type: 'alertDismissed' }, { ...state, opening: null, wanted: null }, state);
-show();
+addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && desk.flush());
+addEventListener('beforeunload', (event) => {
+  if (!desk.isUnkept) return;
+  void desk.flush();
+  event.preventDefault();
+});
+
 // The drawing code is the largest part of the page; it is loaded while the worker starts.
-const { createSurfaceView } = await import('./views/surface.js');
-surface = createSurfaceView(byId('surface'), dispatch);
+const drawing = import('./pages/studio/views/surface.js');
+drawing.catch(() => {}); // handled below
+await desk.restore({ search: location.search, shown: history.state?.document ?? null, theme: storedTheme() });
+try {
+  const { createSurfaceView } = await drawing;
+  surface = createSurfaceView(byId('surface'), dispatch);
+} catch {
+  createUndrawnView(byId('surface')).tell('unloaded');
+}
 show();

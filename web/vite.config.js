@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file How the pages are built. Every HTML file of this folder becomes a page of build/web, which works under any path
- * of a static host. All pages begin with the same header. The catalog's data keep their names.
+ * of a static host. All pages begin with the same head and header. The catalog's data keep their names.
  */
 import { cpSync, existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
@@ -12,18 +12,23 @@ const web = path.dirname(fileURLToPath(import.meta.url));
 const outDir = path.join(web, '../build/web');
 const pages = readdirSync(web).filter((name) => name.endsWith('.html'));
 
-/** Inserts the common header, with the current page marked. @returns {import('vite').Plugin} */
-function header() {
+/** A file of pages/ that all pages contain, without its comments. @param {string} name */
+const shared = (name) => readFileSync(path.join(web, 'pages', name), 'utf8').replace(/<!--.*?-->\s*/gs, '');
+
+/** Inserts what all pages begin with: the head, and the header with the current page marked. @returns {import('vite').Plugin} */
+function beginnings() {
   return {
-    name: 'header',
+    name: 'beginnings',
     transformIndexHtml: {
       order: 'pre',
       handler(html, { filename }) {
-        const text = readFileSync(path.join(web, 'pages/header.html'), 'utf8').replace(/<!--.*?-->\s*/gs, '');
+        const text = shared('header.html');
         const nav = text.indexOf('<nav');
         const own = `href="./${path.basename(filename)}"`;
         const marked = text.slice(0, nav) + text.slice(nav).replace(own, `${own} aria-current="page"`);
-        return html.replace('<header class="top"></header>', `<header class="top">${marked}</header>`);
+        return html
+          .replace('<head>', `<head>\n${shared('head.html')}`)
+          .replace('<header class="top"></header>', `<header class="top">${marked}</header>`);
       },
     },
   };
@@ -71,7 +76,7 @@ function catalog() {
 export default defineConfig({
   root: web,
   base: './',
-  plugins: [header(), preloads(), catalog()],
+  plugins: [beginnings(), preloads(), catalog()],
   build: {
     outDir,
     emptyOutDir: true,

@@ -108,23 +108,27 @@ const layers = {
   colour: [],
   plot: [],
   address: ['words', 'colour'],
-  state: ['words', 'address', 'worker/protocol.js'],
-  files: ['words', 'address', 'state'],
+  files: ['words', 'address'],
   scene: ['colour', 'address'],
   pages: [],
-  views: ['words', 'colour', 'plot', 'address', 'state', 'scene'],
+  views: ['words', 'colour', 'plot', 'address', 'scene'],
 };
 
+/** What the state of a page may import, which is pure. */
+const pure = ['words', 'colour', 'address', 'worker/protocol.js'];
+
 /**
- * What a page's own folder, pages/<page>/, may import: the common folders, including the files in pages/ itself. Its
- * views may also import the page's own files. Pages do not import each other.
+ * What a page's own folder, pages/<page>/, may import: the common folders, including the files in pages/ itself, and the
+ * page's state. Its views may also import the page's own files. Pages do not import each other.
  * @param {string} folder below web/
  * @returns {string[] | undefined} what it may import
  */
 function below(folder) {
   const page = /^pages\/[^/]+/.exec(folder)?.[0];
   if (!page) return layers[folder];
-  const common = Object.keys(layers).filter((name) => name !== 'views' && name !== 'state');
+  const state = `${page}/state`;
+  if (folder === state) return pure;
+  const common = [...Object.keys(layers).filter((name) => name !== 'views'), state];
   return folder === page ? common : [...common, 'views', page];
 }
 

@@ -55,14 +55,15 @@ describe('the checks fail on', () => {
   });
 
   test.each([
-    ['web/state/a.js', '../views/dom.js', 'views/dom.js'],
-    ['web/address/a.js', '../state/reduce.js', 'state/reduce.js'],
+    ['web/pages/one/state/a.js', '../../../views/dom.js', 'views/dom.js'],
+    ['web/address/a.js', '../pages/one/state/reduce.js', 'pages/one/state/reduce.js'],
     ['web/words/a.js', '../files/save.js', 'files/save.js'],
-    ['web/state/a.js', '../worker/client.js', 'worker/client.js'],
+    ['web/pages/one/state/a.js', '../../../worker/client.js', 'worker/client.js'],
+    ['web/pages/one/state/a.js', '../effects.js', 'pages/one/effects.js'],
     ['web/views/a.js', '../pages/one/reduce.js', 'pages/one/reduce.js'],
     ['web/pages/one/a.js', '../two/reduce.js', 'pages/two/reduce.js'],
     ['web/pages/one/a.js', './views/plot.js', 'pages/one/views/plot.js'],
-    ['web/pages/one/views/a.js', '../../../state/reduce.js', 'state/reduce.js'],
+    ['web/pages/one/views/a.js', '../../two/state/reduce.js', 'pages/two/state/reduce.js'],
   ])('%s that imports %s', (file, name, found) => {
     const text = `import { x } from '${name}';`;
     expect(webLayers(new Map([[file, text]]))).toEqual([`${file} imports ${found}`]);

@@ -7,12 +7,12 @@ import { readFileSync } from 'node:fs';
 import { beforeAll, expect, test } from '@jest/globals';
 import { Cage, InputError, Minimizer, load, parseReport } from '../../wasm/umbilic.js';
 import { formatStudioAddress, parseStudioAddress } from '../../web/address/studio.js';
-import { addressOf } from '../../web/state/address.js';
-import { findEntry, showsEntry } from '../../web/state/entry.js';
-import { initialState } from '../../web/state/reduce.js';
-import { problemOf } from '../../web/state/settings.js';
+import { addressOf } from '../../web/pages/studio/state/address.js';
+import { findEntry, showsEntry } from '../../web/pages/studio/state/entry.js';
+import { initialState } from '../../web/pages/studio/state/reduce.js';
+import { problemOf } from '../../web/pages/studio/state/settings.js';
 import { createSession } from '../../web/worker/session.js';
-import { after, answered } from './state.js';
+import { after, answered } from './studio/state.js';
 
 /** @typedef {import('../../web/files/catalog.js').Catalog} Catalog */
 /** @typedef {import('../../web/worker/protocol.js').Message} Message */
@@ -25,7 +25,7 @@ const functionals = catalog.functionals.map(({ name }) => name);
 
 beforeAll(() => load());
 
-/** @param {import('../../web/state/types.js').Opening} opening @returns {Message[]} the session's answers */
+/** @param {import('../../web/pages/studio/state/types.js').Opening} opening @returns {Message[]} the session's answers */
 function open({ run, source, settings, start }) {
   /** @type {Message[]} */
   const messages = [];
@@ -57,12 +57,12 @@ test.each(catalog.shapes.map(({ name }, i) => [name, functionals[i % functionals
     }
     const { entry } = found;
     const report = parseReport(text(`${shape}.${functional}.json`));
-    const opening = after(waiting, { type: 'entryLoaded', name: waiting.wanted ?? name, entry, report });
-    if (!opening.opening) throw new Error('nothing is opened');
-    const messages = open(opening.opening);
+    const opening = after(waiting, { type: 'entryLoaded', name: waiting.session.wanted ?? name, entry, report });
+    if (!opening.session.opening) throw new Error('nothing is opened');
+    const messages = open(opening.session.opening);
     const shown = after(opening, ...messages.map(answered));
     expect(showsEntry(shown)).toBe(true);
-    expect(shown.group).toEqual(entry.group);
+    expect(shown.document.result.group).toEqual(entry.group);
     expect(formatStudioAddress(addressOf(shown))).toBe(search);
     const measured = messages.find(({ type }) => type === 'measured');
     if (measured?.type !== 'measured') throw new Error('nothing is measured');

@@ -10,7 +10,8 @@ import {
   WORK_PATIENCE,
   createClient,
 } from '../../web/worker/client.js';
-import { progress } from './state.js';
+import { createSpare } from '../../web/worker/spare.js';
+import { progress } from './studio/state.js';
 
 /** A worker whose answers the test gives. */
 class ScriptedWorker {
@@ -76,6 +77,47 @@ function load() {
 }
 
 const stepped = { type: 'stepped', run: 1, progress: progress(0, 1), samples: new Float64Array(4) };
+
+describe('a spare worker', () => {
+  test('says again what it said before it was taken, in its order, and is followed by others', async () => {
+    const made = workers.length;
+    const take = createSpare(() => {
+      workers.push(new ScriptedWorker());
+      return last();
+    });
+    const spare = workers[made];
+    const started = { type: 'started', version: '1', cages: [] };
+    spare.say(started);
+    client.dispose();
+    client = createClient({ createWorker: take, onMessage: (message) => messages.push(message), onLost: () => {} });
+    expect(workers).toHaveLength(made + 1);
+    await Promise.resolve();
+    expect(messages).toEqual([started]);
+    client.abandon();
+    expect(workers).toHaveLength(made + 2);
+  });
+
+  test('that could not load is told so when it is taken', async () => {
+    const take = createSpare(() => {
+      workers.push(new ScriptedWorker());
+      return last();
+    });
+    last().onerror?.(/** @type {any} */ ({ message: 'no network' }));
+    client.dispose();
+    client = createClient({
+      createWorker: take,
+      onMessage: () => {},
+      onLost: (loss, detail) => losses.push([loss, detail]),
+    });
+    await Promise.resolve();
+    expect(losses).toEqual([['unloadable', 'no network']]);
+    const made = workers.length;
+    client.restart();
+    expect(workers).toHaveLength(made + 1);
+    load();
+    expect(losses).toHaveLength(1);
+  });
+});
 
 describe('a worker', () => {
   test('may take its time to load', () => {

@@ -12,7 +12,7 @@ import { createPace } from '../../web/scene/pace.js';
 import { nearestVertex, pick } from '../../web/scene/pick.js';
 import { cameraOf, fittingDistance, placementOf } from '../../web/scene/placement.js';
 import { createStand } from '../../web/scene/stand.js';
-import { mesh } from './state.js';
+import { mesh } from './studio/state.js';
 
 describe('a geometry', () => {
   test('keeps its arrays while the mesh only moves, and is replaced when it has other counts', () => {

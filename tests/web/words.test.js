@@ -28,7 +28,7 @@ import {
   withError,
 } from '../../web/words/numbers.js';
 
-import { certificate, energies, levelReport, noLimit } from './state.js';
+import { certificate, energies, levelReport, noLimit } from './studio/state.js';
 
 /** The narrow space between groups of digits does not break. @param {string} text */
 const narrow = (text) => text.replaceAll(' ', '\u202f');

@@ -3,7 +3,7 @@
  * @file The curves of plots. The convergence plot's curve has one piece per level, and no more points than pixels.
  */
 
-/** @import {Sample} from '../state/types.js' */
+/** @import {Sample} from '../pages/studio/state/types.js' */
 /** @import {Scale} from './scales.js' */
 
 /** @typedef {{x: number, y: number, width: number, height: number}} Box */

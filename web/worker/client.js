@@ -38,6 +38,7 @@ const CHECK_INTERVAL = 500;
  * @typedef {object} Client
  * @property {(command: Command) => void} send
  * @property {() => void} abandon stops the worker and starts a new one
+ * @property {() => void} restart starts a new worker in the place of one that could not load
  * @property {() => void} dispose
  */
 
@@ -163,6 +164,10 @@ export function createClient({ createWorker, onMessage, onLost }) {
       ping();
     },
     abandon: () => lose('abandoned', ''),
+    restart() {
+      end();
+      start();
+    },
     dispose: end,
   };
 }

@@ -7,6 +7,7 @@
 /** @typedef {Pick<Worker, 'postMessage' | 'onmessage' | 'onerror'>} Answering */
 
 /** @typedef {{request: number, question: any}} Request */
+/** @typedef {{answer: any, transfer?: ArrayBuffer[]}} Answered */
 /** @typedef {{request: number, answer: any} | {request: number, failure: string}} Response */
 
 /**
@@ -50,7 +51,7 @@ export function createRequests(createWorker) {
 /**
  * The worker's side.
  * @param {() => Promise<void>} load called before the first answer
- * @param {(question: any) => {answer: any, transfer?: ArrayBuffer[]}} answer
+ * @param {(question: any) => Answered | Promise<Answered>} answer
  */
 export function answerRequests(load, answer) {
   const loaded = load();
@@ -58,7 +59,7 @@ export function answerRequests(load, answer) {
   self.onmessage = async (/** @type {MessageEvent<Request>} */ { data: { request, question } }) => {
     try {
       await loaded;
-      const { answer: found, transfer = [] } = answer(question);
+      const { answer: found, transfer = [] } = await answer(question);
       self.postMessage({ request, answer: found }, { transfer });
     } catch (error) {
       self.postMessage({ request, failure: error instanceof Error ? error.message : String(error) });

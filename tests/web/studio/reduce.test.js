@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What actions and the worker's messages make of the page's state.
+ */
+import { describe, expect, test } from '@jest/globals';
+import { initialState, reduce } from '../../../web/pages/studio/state/reduce.js';
+import { energyNotes, objectiveValue, statusSentence } from '../../../web/pages/studio/state/select.js';
+import {
+  changeSettings,
+  defaultSettings,
+  problemOf,
+  problemWith,
+  settingsFrom,
+} from '../../../web/pages/studio/state/settings.js';
+import {
+  after,
+  answered,
+  drop,
+  ended,
+  energies,
+  leaves,
+  levelReport,
+  noLimit,
+  openedMessages,
+  progress,
+  resting,
+  running,
+  stepped,
+  surfaceState,
+  working,
+} from './state.js';
+
+/** @typedef {import('../../../web/pages/studio/state/types.js').State} State */
+
+describe('the page', () => {
+  test('opens on the genus-2 frame', () => {
+    const state = initialState();
+    expect(state.session.opening).toMatchObject({ run: 1, purpose: 'cage', source: { name: 'two-3', family: 'flag' } });
+    expect(state.session.phase.name).toBe('loading');
+    expect(working(state)).toEqual(['Cancel']);
+  });
+
+  test('shows the cage, its surface and its energies once the worker has opened it', () => {
+    const state = resting();
+    expect(leaves(state)).toMatchObject({ status: 'resting', run: 1, opening: null, version: '1.2.3', fits: 1 });
+    expect(state.document.cage?.counts.genus).toBe(2);
+    expect(state.document.result.latest?.energies.bending).toBe(150);
+    expect(state.document.result.group).toEqual({ name: 'D3h', order: 12 });
+    expect(working(state)).toEqual(['Start', 'Step']);
+  });
+
+  test('never changes a state in place', () => {
+    /** @param {any} value @returns {any} */
+    const freeze = (value) => {
+      if (value && typeof value === 'object' && !ArrayBuffer.isView(value)) {
+        Object.values(value).forEach(freeze);
+        Object.freeze(value);
+      }
+      return value;
+    };
+    const frozen = freeze(running());
+    const next = after(frozen, stepped(1, 3), { type: 'pausePressed' }, drop('a.obj'), {
+      type: 'viewChanged',
+      change: { cage: true },
+    });
+    expect(next).not.toBe(frozen);
+    expect(frozen.document.result.samples).toHaveLength(5);
+  });
+});
+
+describe('a file', () => {
+  test('is not lost when a setting changes before it has opened', () => {
+    const change = { type: /** @type {const} */ ('settingsChanged'), change: { cap: /** @type {const} */ ('flat') } };
+    const opening = after(resting(), drop('spot.obj'), change);
+    expect(opening.session.opening).toMatchObject({
+      run: 3,
+      purpose: 'cage',
+      source: { kind: 'text', name: 'spot.obj' },
+      settings: { cap: 'flat' },
+    });
+  });
+
+  test('is opened beside what is there, which stays until it has opened', () => {
+    const opening = after(resting(), drop('spot.obj'));
+    expect(opening.session.opening).toMatchObject({
+      run: 2,
+      purpose: 'cage',
+      source: { kind: 'text', name: 'spot.obj' },
+    });
+    expect(opening.document.cage?.name).toBe('two-3');
+    const opened = after(opening, ...openedMessages(2));
+    expect(leaves(opened)).toMatchObject({ run: 2, fits: 2, opening: null, cage: { name: 'spot.obj' } });
+  });
+
+  test('that is refused leaves everything as it was, with the reason', () => {
+    const before = ended();
+    const refused = after(
+      before,
+      drop('bad.obj'),
+      answered({ type: 'failed', run: 2, kind: 'input', message: 'bad.obj: line 12: face has 2 vertices' }),
+    );
+    expect(refused.view.alert).toEqual({ title: 'bad.obj was not opened', message: 'line 12: face has 2 vertices' });
+    for (const part of /** @type {const} */ (['surface', 'cage', 'run', 'samples', 'saved', 'status', 'settings'])) {
+      expect(leaves(refused)[part]).toBe(leaves(before)[part]);
+    }
+    expect(reduce(refused, { type: 'alertDismissed' }).view.alert).toBeNull();
+  });
+
+  test('does not disturb a run that goes on when it is refused', () => {
+    const state = after(
+      running(),
+      drop('bad.obj'),
+      answered({ type: 'failed', run: 2, kind: 'input', message: 'line 1: no' }),
+      stepped(1, 2),
+    );
+    expect(state.session.phase.name).toBe('running');
+    expect(state.document.result.samples).toHaveLength(7);
+  });
+
+  test('that opens clears the alert about the one before', () => {
+    const refused = after(
+      resting(),
+      drop('bad.obj'),
+      answered({ type: 'failed', run: 2, kind: 'input', message: 'no' }),
+    );
+    expect(after(refused, drop('good.obj'), ...openedMessages(3)).view.alert).toBeNull();
+  });
+});
+
+describe('the file of a problem or a report', () => {
+  const json = new TextEncoder().encode(' {"umbilic": "report"}');
+  const asked = {
+    cage: { generator: 'torus', ratio: 0.3 },
+    terms: { bending: 1 },
+    options: { cap: /** @type {const} */ ('flat'), levels: /** @type {[number, number]} */ ([1, 3]) },
+  };
+  /** @param {any} [report] @returns {import('../../../web/pages/studio/state/types.js').State} */
+  function opened(report) {
+    const [first, ...others] = openedMessages(2);
+    const message = /** @type {any} */ (first).message;
+    return after(
+      resting(),
+      { type: 'fileChosen', name: 'kept.json', text: json },
+      answered({ ...message, asked, ...(report && { report }) }),
+      ...others,
+    );
+  }
+
+  test('is told from a cage by its first character, and opened as it is', () => {
+    const opening = after(resting(), { type: 'fileChosen', name: 'kept.json', text: json });
+    expect(opening.session.opening?.source).toEqual({ kind: 'problem', name: 'kept.json', text: json });
+    expect(problemOf(/** @type {any} */ (opening.session.opening).source, defaultSettings, null)).toBe(
+      ' {"umbilic": "report"}',
+    );
+  });
+
+  test('brings its cage and its settings', () => {
+    const state = opened();
+    expect(leaves(state)).toMatchObject({ status: 'resting', run: 2, generator: { name: 'torus', family: 'flag' } });
+    expect(state.document.cage?.source).toEqual({
+      kind: 'generated',
+      name: 'torus',
+      family: 'flag',
+      thickness: 1,
+      ratio: 0.3,
+    });
+    expect(state.document.settings).toMatchObject({
+      functional: 'bending',
+      cap: 'flat',
+      levels: [1, 3],
+      tolerance: 1e-6,
+    });
+    expect(state.document.result.settings).toEqual(state.document.settings);
+  });
+
+  test('of a report is the end of its run, which goes on from its surface', () => {
+    const report = { levels: [levelReport(3)], limit: noLimit(), energies: energies(80), problem: asked };
+    const state = opened(report);
+    expect(leaves(state)).toMatchObject({
+      status: 'ended',
+      stop: 'converged',
+      limit: noLimit(),
+      levels: report.levels,
+    });
+    const again = reduce(state, { type: 'startPressed' });
+    expect(again.session.opening).toMatchObject({ purpose: 'start', then: 'run', start: surfaceState(0, 2) });
+  });
+});
+
+describe('settings', () => {
+  test('show the cage anew, under a new run', () => {
+    const state = reduce(resting(), { type: 'settingsChanged', change: { cap: 'flat' } });
+    expect(state.session.opening).toMatchObject({
+      run: 2,
+      purpose: 'preview',
+      then: 'hold',
+      settings: { cap: 'flat' },
+    });
+    const shown = after(state, ...openedMessages(2));
+    expect(shown.document.result.settings.cap).toBe('flat');
+    expect(shown.view.fits).toBe(1); // the view does not jump
+  });
+
+  test('stand still under a run, and change nothing of a run that has ended', () => {
+    const busy = running();
+    expect(reduce(busy, { type: 'settingsChanged', change: { cap: 'none' } })).toBe(busy);
+    const over = reduce(ended(), { type: 'settingsChanged', change: { functional: 'bending' } });
+    expect(over.session.opening).toBeNull();
+    expect(over.document.settings.functional).toBe('bending');
+    expect(over.document.result.settings.functional).toBe('mvs_cross');
+  });
+
+  test('that the core refuses go back to those that worked', () => {
+    const state = after(
+      resting(),
+      { type: 'settingsChanged', change: { levels: [6, 6] } },
+      answered({ type: 'failed', run: 2, kind: 'input', message: 'level 6 has too many faces' }),
+    );
+    expect(state.document.settings).toEqual(defaultSettings);
+    expect(state.view.alert?.message).toBe('level 6 has too many faces');
+  });
+
+  test('keep the first level at or below the last', () => {
+    expect(changeSettings(defaultSettings, { levels: [3, 2] }).levels).toEqual([3, 3]);
+    expect(changeSettings({ ...defaultSettings, levels: [1, 2] }, { levels: [1, 0] }).levels).toEqual([0, 0]);
+  });
+
+  test('that cannot be minimized say why, are not opened, and hold Start back', () => {
+    const blend = after(
+      resting(),
+      { type: 'settingsChanged', change: { functional: 'blend' } },
+      ...openedMessages(2),
+      { type: 'weightChanged', functional: 'bending', weight: 0 },
+      ...openedMessages(3),
+      { type: 'weightChanged', functional: 'mvs_cross', weight: 0 },
+    );
+    expect(problemWith(blend.document.settings)).toMatch(/weight/);
+    expect(blend.session.opening).toBeNull();
+    expect(working(blend)).toEqual([]);
+    expect(reduce(blend, { type: 'startPressed' })).toBe(blend);
+    expect(problemWith({ ...defaultSettings, tolerance: NaN })).toMatch(/tolerance/);
+    expect(problemWith({ ...defaultSettings, max_iterations: 1.5 })).toMatch(/whole number/);
+    expect(problemWith(defaultSettings)).toBeNull();
+  });
+
+  test('become a problem, and come back from it', () => {
+    const source = /** @type {const} */ ({ kind: 'generated', name: 'torus', family: 'hub', thickness: 2, ratio: 0.3 });
+    const start = surfaceState(2, 7);
+    for (const settings of [
+      defaultSettings,
+      changeSettings(defaultSettings, {
+        levels: [1, 4],
+        symmetry: false,
+        cap: 'flat',
+        max_iterations: 7,
+        tolerance: 0.1,
+      }),
+      changeSettings(defaultSettings, { accuracy: 0.02 }),
+      changeSettings(defaultSettings, { functional: 'blend' }),
+    ]) {
+      const problem = /** @type {import('../../../wasm/types.js').Problem} */ (problemOf(source, settings, start));
+      expect(problem.cage).toEqual({ generator: 'torus', family: 'hub', thickness: 2, ratio: 0.3 });
+      expect(problem.start).toBe(start);
+      expect(settingsFrom(defaultSettings, problem)).toEqual(settings);
+    }
+    expect(problemOf(source, defaultSettings, null)).toMatchObject({ terms: { mvs_cross: 1 } });
+    expect(problemOf(source, defaultSettings, null)).not.toHaveProperty('start');
+  });
+
+  test('say what the objective is worth, also when a part of it diverges', () => {
+    expect(objectiveValue({ ...defaultSettings, functional: 'blend' }, energies(100))).toBe(50 + 2000);
+    expect(objectiveValue({ ...defaultSettings, functional: 'second_form_variation' }, energies(1))).toBeNaN();
+    expect(objectiveValue({ ...defaultSettings, functional: 'bending' }, energies(100))).toBe(100);
+  });
+});
+
+describe('a run', () => {
+  test('starts, pauses when the worker has paused, and resumes', () => {
+    const started = reduce(resting(), { type: 'startPressed' });
+    expect(started.session.phase.name).toBe('running');
+    expect(working(started)).toEqual(['Pause', 'Cancel', 'Reset']);
+    const asked = after(started, stepped(1, 5), { type: 'pausePressed' });
+    expect(leaves(asked)).toMatchObject({ status: 'running', asked: 'pause' });
+    expect(working(asked)).toEqual(['Cancel', 'Reset']);
+    const paused = reduce(asked, answered({ type: 'paused', run: 1, progress: progress(0, 5) }));
+    expect(leaves(paused)).toMatchObject({ status: 'paused', asked: null });
+    expect(working(paused)).toEqual(['Resume', 'Step', 'Cancel', 'Reset']);
+    expect(statusSentence(paused)).toBe('Paused after 5 evaluations.');
+    expect(reduce(paused, { type: 'startPressed' }).session.phase.name).toBe('running');
+  });
+
+  test('collects samples, levels and energies, and remembers the first energies', () => {
+    const report = levelReport(0);
+    const state = after(
+      running(),
+      answered({ type: 'levelEnded', run: 1, report, limit: noLimit() }),
+      answered({ type: 'measured', run: 1, evaluations: 5, level: 0, energies: energies(113) }),
+    );
+    expect(state.document.result.samples[4]).toEqual({ evaluation: 5, energy: 146, gradientNorm: 2, level: 0 });
+    expect(state.document.result.levels).toEqual([report]);
+    expect(state.document.result.limit?.status).toBe('too_few_levels');
+    expect(state.document.result.first?.energies.bending).toBe(150);
+    expect(state.document.result.latest).toMatchObject({ evaluations: 5, energies: { bending: 113 } });
+  });
+
+  test('hears nothing of the runs before it', () => {
+    const state = after(resting(), drop('spot.obj'), ...openedMessages(2));
+    expect(reduce(state, stepped(1, 4))).toBe(state);
+    expect(reduce(state, answered({ type: 'ended', run: 1, stop: 'converged', progress: progress(0, 4) }))).toBe(state);
+  });
+
+  test('ends with its reason in words', () => {
+    const state = ended();
+    expect(leaves(state)).toMatchObject({ status: 'ended', stop: 'converged', saved: { state: surfaceState(2, 9) } });
+    expect(statusSentence(state)).toBe('Converged after 5 evaluations.');
+    expect(working(state)).toEqual(['Start', 'Step', 'Reset']);
+  });
+
+  test('whose result is an earlier level says so, once it has ended and the result is measured', () => {
+    const told = 'Of level 1, which is better than the last one.';
+    const notes = (/** @type {State} */ state) => energyNotes(state).map(({ words }) => words);
+    /** @param {number} evaluations @param {number} level */
+    const measured = (evaluations, level) =>
+      answered({ type: 'measured', run: 1, evaluations, level, energies: energies(113) });
+    const levels = [0, 1, 2].map((level) =>
+      answered({ type: 'levelEnded', run: 1, report: levelReport(level), limit: noLimit() }),
+    );
+    const before = after(running(), ...levels, measured(4, 1));
+    expect(notes(before)).toEqual(['As of evaluation 4.']);
+    const over = after(before, answered({ type: 'ended', run: 1, stop: 'converged', progress: progress(1, 5) }));
+    expect(notes(over)).not.toContain(told);
+    expect(notes(after(over, measured(5, 1)))).toEqual([told]);
+    expect(notes(after(over, measured(5, 2)))).toEqual([]);
+  });
+
+  test('that ends with energies that no surface has is warned of, but not while it goes on', () => {
+    const folded = { ...energies(1e-20), below_bound: true, resolved: false };
+    const measured = answered({ type: 'measured', run: 1, evaluations: 5, level: 0, energies: folded });
+    expect(energyNotes(after(running(), measured))).toEqual([]);
+    const state = after(
+      running(),
+      answered({ type: 'ended', run: 1, stop: 'below_bound', progress: progress(0, 5) }),
+      measured,
+    );
+    expect(statusSentence(state)).toBe('Below the bound after 5 evaluations.');
+    expect(energyNotes(state).map(({ warning }) => warning)).toEqual([true, true]);
+  });
+
+  test('starts again from the cage', () => {
+    const state = reduce(ended(), { type: 'startPressed' });
+    expect(state.session.opening).toMatchObject({
+      run: 2,
+      purpose: 'start',
+      then: 'run',
+      source: { kind: 'generated' },
+      start: null,
+    });
+    const opened = after(state, ...openedMessages(2));
+    expect(leaves(opened)).toMatchObject({ status: 'running', samples: [], levels: [], fits: 1 });
+  });
+
+  test('or goes on from the surface, its levels counted from the cage', () => {
+    const state = after(
+      ended(),
+      { type: 'settingsChanged', change: { origin: 'surface', levels: [0, 3] } },
+      { type: 'startPressed' },
+    );
+    expect(state.session.opening).toMatchObject({
+      then: 'run',
+      source: { kind: 'generated' },
+      start: surfaceState(2, 9),
+    });
+    const opened = after(state, ...openedMessages(2), stepped(2, 3, 2));
+    expect(opened.document.cage?.source.kind).toBe('generated');
+    expect(opened.document.result.samples[0].level).toBe(2);
+  });
+
+  test('is taken back to the cage by Reset, also while it goes on', () => {
+    for (const state of [running(), ended()]) {
+      const reset = after(state, { type: 'resetPressed' }, ...openedMessages(2));
+      expect(leaves(reset)).toMatchObject({ status: 'resting', samples: [], levels: [], stop: null, fits: 1 });
+    }
+  });
+
+  test('that is asked to start while its cage is still being shown starts then', () => {
+    const state = after(resting(), { type: 'settingsChanged', change: { cap: 'flat' } }, { type: 'startPressed' });
+    expect(state.session.opening?.then).toBe('run');
+    expect(after(state, ...openedMessages(2)).session.phase.name).toBe('running');
+  });
+
+  test('is cancelled once', () => {
+    const asked = reduce(running(), { type: 'cancelPressed' });
+    expect(leaves(asked).asked).toBe('cancel');
+    expect(working(asked)).toEqual(['Reset']);
+    const state = reduce(asked, answered({ type: 'ended', run: 1, stop: 'cancelled', progress: progress(0, 5) }));
+    expect(statusSentence(state)).toBe('Cancelled after 5 evaluations.');
+  });
+});

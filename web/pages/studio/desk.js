@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The documents that are open in a page, one of which is on the screen. They are kept in the store, from which they
+ * come back with the next visit.
+ */
+import { parseStudioAddress } from '../../address/studio.js';
+import { projectName } from './names.js';
+import { createOpenDocument } from './open_document.js';
+import { formatProject, parseProject } from './project.js';
+import { isBusy, isUntouched, keepsOther, keptFrom, stateFrom } from './state/kept.js';
+import { withView } from './state/parts.js';
+import { initialState } from './state/reduce.js';
+import { documentName } from './state/select.js';
+
+/** @import {Stored} from '../../worker/store.js' */
+/** @import {createKeeper, Copy, Writer} from './keeper.js' */
+/** @import {OpenDocument, Surroundings} from './open_document.js' */
+/** @import {createOwnership} from './ownership.js' */
+/** @import {Action, State} from './state/types.js' */
+
+/** A document that sleeps after this, in milliseconds, has told all about its surface at rest. */
+const SLEEP_AFTER = 4_000;
+/** So many closed documents can be opened again. */
+const MOST_CLOSED = 5;
+
+/** @typedef {{id: string, name: string, running: boolean, active: boolean}} Tab */
+/** @typedef {{id: string, document: OpenDocument, writer: Writer, address: string, seen: number, lastDone: State['history']}} Open */
+
+const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2, 10)}`;
+
+/**
+ * @param {object} surroundings
+ * @param {Pick<Surroundings, 'connect' | 'save' | 'load'>} surroundings.outside
+ * @param {ReturnType<typeof createKeeper>} surroundings.keeper
+ * @param {ReturnType<typeof createOwnership>} surroundings.ownership
+ * @param {(search: string, id: string) => void} surroundings.setAddress of the document on the screen
+ * @param {() => void} surroundings.changed called whenever something on the screen may have changed
+ */
+export function createDesk({ outside, keeper, ownership, setAddress, changed }) {
+  /** In the order of their tabs. @type {Map<string, Open>} */
+  const open = new Map();
+  /** Closed documents, and those whose page was closed, the last one last. @type {string[]} */
+  let closed = [];
+  let active = '';
+
+  /** @returns {Open} */
+  function current() {
+    const mine = open.get(active);
+    if (!mine) throw new Error('no document is open');
+    return mine;
+  }
+
+  /** @param {Open} mine @param {number} [closedAt] @returns {Copy} */
+  const copyOf = ({ document, address, seen }, closedAt = 0) => ({
+    kept: keptFrom(document.state),
+    address,
+    seen,
+    closed: closedAt,
+  });
+
+  /**
+   * @param {string} id
+   * @param {State} state
+   * @param {Partial<Pick<Copy, 'address' | 'seen'>> & {known?: string[]}} [copy] in the store
+   * @returns {Open}
+   */
+  function put(id, state, { address = '', seen = Date.now(), known = [] } = {}) {
+    const document = createOpenDocument(state, {
+      ...outside,
+      setAddress(search) {
+        mine.address = search;
+        if (id === active) setAddress(search, id);
+      },
+      changed(before, after) {
+        if (after.document.cage && keepsOther(before, after)) mine.writer.touch();
+        if (id !== active && isBusy(before) && !isBusy(after)) sleepSoon(id);
+        changed();
+      },
+    });
+    /** @param {Copy} copy */
+    const written = ({ kept }) => (mine.lastDone = kept.history);
+    const writer = keeper.writer(id, () => copyOf(mine), written, known);
+    /** @type {Open} */
+    const mine = { id, document, writer, address, seen, lastDone: state.history };
+    open.set(id, mine);
+    return mine;
+  }
+
+  /** @param {string} id */
+  function sleepSoon(id) {
+    setTimeout(() => id !== active && open.get(id)?.document.sleep(), SLEEP_AFTER);
+  }
+
+  /** Shows another document. What all documents share goes with the screen. @param {string} id */
+  function show(id) {
+    const mine = open.get(id);
+    if (!mine || id === active) return;
+    const before = open.get(active);
+    active = id;
+    if (before) {
+      before.writer.touch();
+      const { theme, fits } = before.document.state.view;
+      mine.document.dispatch({ type: 'viewChanged', change: { theme, fits } });
+      if (!isBusy(before.document.state)) before.document.sleep();
+    }
+    mine.seen = Date.now();
+    mine.document.wake();
+    if (mine.document.state.document.cage) mine.writer.touch();
+    setAddress(mine.address, id);
+    changed();
+  }
+
+  /** Opens a new document beside the others, and shows it. @param {State} state */
+  function begin(state) {
+    const id = newId();
+    void ownership.take(id);
+    const mine = put(id, state);
+    const before = open.get(active);
+    active = id;
+    if (before && !isBusy(before.document.state)) before.document.sleep();
+    mine.document.begin();
+    changed();
+  }
+
+  /** @param {Stored} stored @param {State} blank @returns {Promise<Open | null>} null if another page has it, or if it cannot be read */
+  async function bringBack(stored, blank) {
+    if (!(await ownership.take(stored.id))) return null;
+    try {
+      const { kept, ...copy } = await keeper.read(stored);
+      return put(stored.id, stateFrom(blank, kept), copy);
+    } catch {
+      ownership.give(stored.id);
+      return null;
+    }
+  }
+
+  /**
+   * Brings back what was open in this browser tab, or in any if there is nothing of its own, and shows what the page was asked for: the document that it showed before a reload, one
+   * with the address, or a new one.
+   * @param {{search: string, shown: string | null, theme: State['view']['theme']}} asked `shown` is the document that this
+   *   page showed
+   */
+  async function restore({ search, shown, theme }) {
+    const begun = initialState(theme, parseStudioAddress(search));
+    const all = await keeper.list().catch(() => []);
+    const order = all.filter((one) => !one.closed).sort((a, b) => (a.id < b.id ? -1 : 1));
+    const own = order.filter(({ id }) => ownership.had(id));
+    for (const stored of own.length ? own : order) await bringBack(stored, begun);
+    const again = shown !== null && open.has(shown);
+    if (!again) await dropUntouched(search);
+    const last = [...open.values()].sort((a, b) => b.seen - a.seen)[0];
+    const same = [...open.values()].find(({ address }) => address === search);
+    const chosen = again ? shown : search ? same?.id : last?.id;
+    await forgetClosed(all.filter((one) => one.closed));
+    // Those of a page that is gone. One that is being loaded again must not find them taken.
+    const others = order.filter(({ id, content }) => !open.has(id) && content.past.length + content.future.length > 0);
+    closed = [...closed, ...(await ownership.free(others.map(({ id }) => id)))];
+    if (chosen) show(chosen);
+    else begin(begun);
+    for (const { id, document } of open.values()) {
+      if (id !== active && document.state.session.phase.name === 'running') document.wake();
+    }
+  }
+
+  /** Forgets documents with which nothing was done, since their addresses say all there is, but for one with this address. @param {string} search */
+  async function dropUntouched(search) {
+    const idle = [...open.values()].filter(
+      ({ document, address }) => isUntouched(document.state) && (!search || address !== search),
+    );
+    // The last one of all stays, or else an address without a query would bring back nothing.
+    if (!search && idle.length === open.size) idle.pop();
+    for (const { id } of idle) open.delete(id);
+    if (idle.length) await keeper.remove(idle.map(({ id }) => id)).catch(() => {});
+    for (const { id } of idle) ownership.give(id);
+  }
+
+  /** Keeps the last few closed documents that no other page has. @param {Stored[]} all */
+  async function forgetClosed(all) {
+    const mine = [];
+    for (const { id, closed: when } of all.sort((a, b) => a.closed - b.closed)) {
+      if (when && (await ownership.take(id))) mine.push(id);
+    }
+    closed = mine.slice(-MOST_CLOSED);
+    const gone = mine.slice(0, -MOST_CLOSED);
+    if (gone.length) await keeper.remove(gone).catch(() => {});
+    mine.forEach((id) => ownership.give(id));
+  }
+
+  return {
+    restore,
+    show,
+
+    get state() {
+      return current().document.state;
+    },
+
+    get isOpen() {
+      return open.has(active);
+    },
+
+    /** @param {Action} action on the document on the screen */
+    dispatch: (action) => current().document.dispatch(action),
+
+    /** @returns {Tab[]} */
+    tabs() {
+      /** @type {Map<string, number>} */
+      const counts = new Map();
+      return [...open.values()].map(({ id, document }) => {
+        const title = documentName(document.state);
+        const count = (counts.get(title) ?? 0) + 1;
+        counts.set(title, count);
+        const name = count > 1 ? `${title} (${count})` : title;
+        return { id, name, running: document.state.session.phase.name === 'running', active: id === active };
+      });
+    },
+
+    /** The file of the document on the screen. @returns {{name: string, text: string} | null} null if it has nothing yet */
+    project() {
+      const { state } = current().document;
+      if (!state.document.cage) return null;
+      return { name: projectName(state), text: formatProject(keptFrom(state), documentName(state)) };
+    },
+
+    /** Opens the file of a project as a document of its own, in the place of one with which nothing was done. @param {string} name @param {Uint8Array} text */
+    openProject(name, text) {
+      const before = current();
+      try {
+        const { kept } = parseProject(new TextDecoder().decode(text));
+        const id = newId();
+        void ownership.take(id);
+        put(id, stateFrom(withView(initialState(), { theme: before.document.state.view.theme }), kept));
+        show(id);
+        if (isUntouched(before.document.state)) void this.close(before.id);
+      } catch (error) {
+        const message = error instanceof Error ? error.message : String(error);
+        before.document.dispatch({ type: 'fileRefused', name, message });
+      }
+    },
+
+    /** Opens a new document with the shape that the studio begins with. */
+    create() {
+      const { theme } = current().document.state.view;
+      begin(initialState(theme, parseStudioAddress('')));
+    },
+
+    get canReopen() {
+      return closed.length > 0;
+    },
+
+    /** Closes a document, which can be opened again. Another one is shown; there is always one. @param {string} id */
+    async close(id) {
+      const mine = open.get(id);
+      if (!mine) return;
+      const ids = [...open.keys()];
+      if (id === active) {
+        const next = ids[ids.indexOf(id) + 1] ?? ids[ids.indexOf(id) - 1];
+        if (next) show(next);
+        else this.create();
+      }
+      open.delete(id);
+      mine.document.dispose();
+      await mine.writer.stop();
+      if (mine.document.state.document.cage && !isUntouched(mine.document.state)) {
+        const last = keeper.writer(id, () => copyOf(mine, Date.now()));
+        last.touch();
+        await last.flush();
+        await last.stop();
+        closed = [...closed, id].slice(-MOST_CLOSED);
+      } else {
+        await keeper.remove([id]).catch(() => {});
+      }
+      ownership.give(id);
+      changed();
+    },
+
+    /** Opens the document again that was closed last. */
+    async reopen() {
+      const all = await keeper.list().catch(() => []);
+      const free = new Set(await ownership.free(closed));
+      const id = closed.findLast((one) => free.has(one) && all.some((stored) => stored.id === one));
+      const stored = all.find((one) => one.id === id);
+      closed = closed.filter((one) => one !== id && free.has(one));
+      const back =
+        stored && (await bringBack(stored, withView(initialState(), { theme: current().document.state.view.theme })));
+      if (back) show(back.id);
+      changed();
+    },
+
+    /** Whether something was done that is not in the store. */
+    get isUnkept() {
+      return [...open.values()].some(({ document, lastDone }) => document.state.history !== lastDone);
+    },
+
+    /** Writes all that has changed at once, as far as the browser lets it. */
+    flush: () => Promise.all([...open.values()].map(({ writer }) => writer.flush())),
+  };
+}

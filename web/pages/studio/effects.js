@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The studio's side effects: commands to the worker, entries of the catalog to load, files to save, and the
+ * page's address. They follow from the states before and after an action.
+ */
+import { formatStudioAddress } from '../../address/studio.js';
+import { fileName } from './names.js';
+import { addressOf } from './state/address.js';
+import { askedOf, certifyingOf } from './state/parts.js';
+import { problemOf } from './state/settings.js';
+
+/** @import {EntryName} from '../../address/compare.js' */
+/** @import {Action, State} from './state/types.js' */
+/** @import {Client} from '../../worker/client.js' */
+
+/**
+ * Calls `work` only if the text differs from the last one.
+ * @param {(text: string) => void} work
+ * @returns {(text: string) => void}
+ */
+function onceEach(work) {
+  /** @type {string | null} */
+  let last = null;
+  return (text) => {
+    if (text === last) return;
+    last = text;
+    work(text);
+  };
+}
+
+/**
+ * @param {object} surroundings
+ * @param {Pick<Client, 'send' | 'abandon' | 'restart'>} surroundings.client
+ * @param {(name: string, text: string, type: string) => void} surroundings.save
+ * @param {(name: EntryName) => void} surroundings.load finds an entry of the catalog; ends in `entryLoaded` or `entryMissing`
+ * @param {(search: string) => void} surroundings.setAddress
+ * @returns {(action: Action | null, before: State | null, after: State) => void} both null as the page begins
+ */
+export function createEffects({ client, save, load, setAddress }) {
+  const follow = onceEach(setAddress);
+
+  /** @param {State | null} before @param {State} after */
+  function open(before, after) {
+    const { opening } = after.session;
+    if (!opening) return;
+    const isNew = opening.run !== before?.session.opening?.run;
+    const { run, source, settings, start, purpose, then } = opening;
+    const goesOn = then !== 'hold' && { then };
+    if (isNew) {
+      const look = purpose === 'entry' && { look: true };
+      const deviation = after.view.shading === 'deviation' && { deviation: true };
+      client.send({ type: 'open', run, problem: problemOf(source, settings, start), ...look, ...goesOn, ...deviation });
+    } else if (goesOn && then !== before?.session.opening?.then) {
+      client.send({ type: then === 'run' ? 'optimize' : 'step', run });
+    }
+  }
+
+  return (action, before, after) => {
+    const tried = action?.type === 'retryPressed';
+    if (tried && before?.session.phase.name === 'unavailable') client.restart();
+    open(before, after);
+    follow(formatStudioAddress(addressOf(after)));
+    const { run, wanted } = after.session;
+    if (wanted && (tried || wanted !== before?.session.wanted)) load(wanted);
+    if (!action || !before) return;
+    const [was, is] = [before.session.phase, after.session.phase];
+    switch (action.type) {
+      case 'startPressed':
+      case 'stepPressed':
+        if (is.name === 'running' && was.name !== 'running') {
+          client.send({ type: action.type === 'startPressed' ? 'optimize' : 'step', run });
+        }
+        break;
+      case 'pausePressed':
+        if (askedOf(is) === 'pause' && askedOf(was) !== 'pause') client.send({ type: 'pause', run });
+        break;
+      case 'cancelPressed':
+        if (before.session.opening) client.abandon();
+        else if (askedOf(is) === 'cancel' && askedOf(was) !== 'cancel') client.send({ type: 'cancel', run });
+        break;
+      case 'certifyPressed':
+        if (certifyingOf(is) && !certifyingOf(was)) client.send({ type: 'certify', run });
+        break;
+      case 'certificateCancelPressed':
+        if (certifyingOf(is)?.abandoning && !certifyingOf(was)?.abandoning) {
+          client.send({ type: 'abandonCertificate', run });
+        }
+        break;
+      case 'viewChanged': {
+        const [off, on] = [before, after].map(({ view }) => view.shading === 'deviation');
+        if (on !== off) client.send({ type: 'deviate', on });
+        break;
+      }
+      case 'downloadPressed':
+        client.send({ type: 'export', run, what: action.what });
+        break;
+      case 'surfaceDrawn':
+        if (before.view.coarse) client.send({ type: 'detail', run });
+        if (before.view.coarse && after.document.minimizer && after.document.cage?.source.kind === 'generated') {
+          // The problem that the button "Minimize again" would open.
+          const problem = problemOf(after.document.cage.source, after.document.minimizer.settings, null);
+          if (typeof problem !== 'string') client.send({ type: 'expect', run, problem });
+        }
+        break;
+      case 'answered':
+        if (action.message.type === 'exported' && action.message.run === run) {
+          const { what, text } = action.message;
+          save(fileName(after, what), text, what === 'report' || what === 'problem' ? 'application/json' : 'model/obj');
+        }
+        break;
+    }
+  };
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What of the studio's state is kept between visits, and the state that it becomes again. Pure.
+ */
+import { hasMoved } from './restore.js';
+
+/** @import {Document, History, Phase, State, View} from './types.js' */
+
+/**
+ * Plain data. `view` is how the surface was looked at.
+ * @typedef {object} Kept
+ * @property {Document} document
+ * @property {History} history
+ * @property {Phase['name']} phase
+ * @property {Pick<View, 'shading' | 'cage' | 'camera'>} view
+ */
+
+/** @param {State} state @returns {Kept} */
+export function keptFrom({ document, history, session, view }) {
+  const { shading, cage, camera } = view;
+  return { document, history, phase: session.phase.name, view: { shading, cage, camera } };
+}
+
+/**
+ * The state without a worker, until it is wakened.
+ * @param {State} blank
+ * @param {Kept} kept
+ * @returns {State}
+ */
+export function stateFrom(blank, { document, history, phase, view }) {
+  const session = { ...blank.session, phase: phaseFrom(phase), opening: null, wanted: null };
+  return { document, history, session, view: { ...blank.view, ...view } };
+}
+
+/** @param {Phase['name']} name @returns {Phase} */
+function phaseFrom(name) {
+  if (name === 'running' || name === 'paused') return { name, asked: null };
+  return name === 'ended' ? { name, certifying: null } : { name: 'resting' };
+}
+
+/** Whether nobody has done anything with it: its address says all there is. @param {Kept | State} state */
+export const isUntouched = ({ document, history }) =>
+  history.past.length + history.future.length === 0 && (document.result.catalogs || !hasMoved(document.result));
+
+/** Whether the worker has something to do for it. @param {State} state */
+export const isBusy = ({ session: { phase, opening, exporting } }) =>
+  phase.name === 'running' || Boolean(opening) || exporting || ('certifying' in phase && phase.certifying !== null);
+
+/** Whether what is kept differs. @param {State} before @param {State} after */
+export const keepsOther = (before, after) =>
+  before.document !== after.document ||
+  before.history !== after.history ||
+  before.session.phase.name !== after.session.phase.name ||
+  before.view.camera !== after.view.camera ||
+  before.view.shading !== after.view.shading ||
+  before.view.cage !== after.view.cage;

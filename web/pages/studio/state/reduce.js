@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The studio's initial state and reducer. Pure; sending and saving are in effects.js.
+ */
+import { parseStudioAddress } from '../../../address/studio.js';
+import { whatIsAsked } from './address.js';
+import { afterAnswer } from './answers.js';
+import { openEntry, openWithout } from './entry.js';
+import { noHistory, redone, remembered, undone } from './history.js';
+import { afterHold, holdIsUsable, holdsTheSame, keptOf } from './hold.js';
+import { afterLoss } from './lost.js';
+import { beginOpening, firstGenerator, openGenerated, openPreview } from './opening.js';
+import {
+  askedOf,
+  certifyingOf,
+  noResult,
+  phases,
+  withDocument,
+  withResult,
+  withSession,
+  withSettings,
+  withView,
+} from './parts.js';
+import { restored, retried } from './restore.js';
+import { changeSettings, defaultSettings, problemWith } from './settings.js';
+
+/** @import {StudioAddress} from '../../../address/studio.js' */
+/** @import {Action, HoldAction, State, View} from './types.js' */
+
+/**
+ * The initial state opens what the address names: a minimizer of the catalog, or a generated cage.
+ * @param {View['theme']} [theme]
+ * @param {{address: StudioAddress, notices: string[]}} [said]
+ * @returns {State}
+ */
+export function initialState(theme = 'system', said = parseStudioAddress('')) {
+  const { address } = said;
+  const { settings, wanted, notices } = whatIsAsked(address, defaultSettings);
+  const sentences = [...said.notices, ...notices];
+  /** @type {State} */
+  const blank = {
+    document: {
+      generator: { name: address.shape, family: address.family, thickness: address.thickness },
+      settings,
+      cage: null,
+      minimizer: null,
+      result: noResult(settings),
+    },
+    session: {
+      phase: { name: 'loading' },
+      run: 0,
+      lastRun: 0,
+      before: null,
+      opening: null,
+      wanted,
+      exporting: false,
+      refused: null,
+      version: '',
+      cageNames: [firstGenerator.name],
+    },
+    view: {
+      shading: address.shading,
+      cage: false,
+      camera: address.camera,
+      theme,
+      pointer: 'turn',
+      boundary: null,
+      surface: null,
+      coarse: false,
+      fits: 0,
+      fitDue: false,
+      said: '',
+      alert: sentences.length ? { title: 'A part of the address is left out', message: sentences.join(' ') } : null,
+    },
+    history: noHistory,
+  };
+  return wanted ? blank : openGenerated(blank);
+}
+
+/** Whether a file is a problem or a report, not a cage: JSON begins with a brace. @param {Uint8Array} text */
+const isJson = (text) => /^[ \t\r\n]*\{/.test(new TextDecoder('latin1').decode(text.subarray(0, 1000)));
+
+/** Whether settings may be changed: not while a run uses them. @param {State} state */
+export function settingsAreFree({ session: { phase } }) {
+  return phase.name === 'resting' || phase.name === 'ended' || phase.name === 'loading';
+}
+
+/** Whether the next run can start from the current surface: not if it holds something else. @param {State} state */
+export function canStartFromSurface({ session, document: { settings, result } }) {
+  return session.phase.name === 'ended' && result.saved !== null && holdsTheSame(settings, result.settings);
+}
+
+/** Whether the next run starts from the current surface. @param {State} state */
+export function startsFromSurface(state) {
+  return canStartFromSurface(state) && state.document.settings.origin === 'surface';
+}
+
+/** Whether a run has ended with a surface that has no certificate yet. @param {State} state */
+export function canBeCertified({ session: { phase, opening }, document }) {
+  return phase.name === 'ended' && !opening && !phase.certifying && !document.result.certificate;
+}
+
+/**
+ * Starts, resumes or makes one step: of the current run, of the one being opened, or of a new one.
+ * @param {State} state
+ * @param {'run' | 'step'} then
+ * @returns {State}
+ */
+function go(state, then) {
+  const { cage, settings, result } = state.document;
+  const { opening, phase } = state.session;
+  if (!cage || problemWith(settings) || !holdIsUsable(state)) return state;
+  if (opening && (opening.purpose === 'cage' || holdsTheSame(settings, opening.settings))) {
+    return settingsAreFree(state) ? withSession(state, { opening: { ...opening, then } }) : state;
+  }
+  const current = holdsTheSame(settings, result.settings);
+  if (phase.name === 'paused' || (phase.name === 'resting' && current)) {
+    return withSession(withResult(state, { stop: null, constrained: null }), { phase: phases.running });
+  }
+  if (phase.name !== 'ended' && phase.name !== 'resting') return state;
+  const start = startsFromSurface(state) ? (result.saved?.state ?? null) : null;
+  return beginOpening(state, { source: cage.source, purpose: 'start', then, start });
+}
+
+/** Minimizes again from the cage, with the settings of the catalog's run. @param {State} state @returns {State} */
+function again(state) {
+  const { minimizer, cage, settings } = state.document;
+  if (!minimizer || !cage || !settingsAreFree(state) || state.session.opening) return state;
+  const asked = withDocument(state, { settings: { ...minimizer.settings, ...keptOf(settings) } });
+  return beginOpening(asked, { source: cage.source, purpose: 'start', then: 'run', start: null });
+}
+
+/** @param {State} state @param {HoldAction} action @returns {State} */
+function hold(state, action) {
+  const held = afterHold(state, action);
+  const { phase, opening } = state.session;
+  // A run goes on with what it holds; a stroke is shown by the core when it has ended, and a fill at once.
+  const over = phase.name === 'resting' || (action.type === 'fillPressed' && phase.name === 'ended');
+  const waits = !over || opening?.purpose === 'cage' || action.type === 'facesPainted';
+  const shown = opening?.settings ?? state.document.result.settings;
+  return waits || holdsTheSame(held.document.settings, shown) ? held : openPreview(held);
+}
+
+/** @param {State} state @param {string} name @param {Uint8Array} text @returns {State} */
+function openFile(state, name, text) {
+  const kind = isJson(text) ? /** @type {const} */ ('problem') : /** @type {const} */ ('text');
+  return beginOpening(state, { source: { kind, name, text }, purpose: 'cage', then: 'hold', start: null });
+}
+
+/** @param {State} state @returns {State} */
+function cancel(state) {
+  const { phase, opening } = state.session;
+  if (opening) return state;
+  if (phase.name === 'running') return withSession(state, { phase: { name: 'running', asked: 'cancel' } });
+  return phase.name === 'paused' ? withSession(state, { phase: { name: 'paused', asked: 'cancel' } }) : state;
+}
+
+/**
+ * @param {State} state
+ * @param {Action} action
+ * @returns {State}
+ */
+export function reduce(state, action) {
+  return remembered(state, changed(state, action), action);
+}
+
+/**
+ * @param {State} state
+ * @param {Action} action
+ * @returns {State}
+ */
+function changed(state, action) {
+  const { document, session, view } = state;
+  switch (action.type) {
+    case 'generatorChanged':
+      return openGenerated(withDocument(state, { generator: { ...document.generator, ...action.change } }));
+    case 'fileChosen':
+      return openFile(state, action.name, action.text);
+    case 'fileRefused':
+      return withView(state, { alert: { title: `${action.name} was not opened`, message: action.message } });
+    case 'settingsChanged': {
+      if (!settingsAreFree(state)) return state;
+      const changed = withDocument(state, { settings: changeSettings(document.settings, action.change) });
+      return session.phase.name === 'ended' ? changed : openPreview(changed);
+    }
+    case 'weightChanged': {
+      const weights = { ...document.settings.weights, [action.functional]: action.weight };
+      return changed(state, { type: 'settingsChanged', change: { weights } });
+    }
+    case 'facesPainted':
+    case 'paintingEnded':
+    case 'groupHeld':
+    case 'holdEdited':
+    case 'vertexPinned':
+    case 'pinRemoved':
+    case 'conditionChosen':
+    case 'fillPressed':
+    case 'closenessChanged':
+      return hold(state, action);
+    case 'startPressed':
+      return go(state, 'run');
+    case 'stepPressed':
+      return go(state, 'step');
+    case 'pausePressed':
+      return session.phase.name === 'running' && !askedOf(session.phase)
+        ? withSession(state, { phase: { name: 'running', asked: 'pause' } })
+        : state;
+    case 'cancelPressed':
+      return cancel(state);
+    case 'resetPressed':
+      return openPreview(withSettings(state, { origin: 'cage' }));
+    case 'certifyPressed':
+      return canBeCertified(state)
+        ? withSession(state, { phase: { name: 'ended', certifying: { progress: 0, abandoning: false } } })
+        : state;
+    case 'certificateCancelPressed': {
+      const certifying = certifyingOf(session.phase);
+      if (!certifying) return state;
+      return withSession(state, { phase: { name: 'ended', certifying: { ...certifying, abandoning: true } } });
+    }
+    case 'entryLoaded':
+      return openEntry(state, action);
+    case 'entryMissing':
+      return session.wanted === action.name
+        ? openWithout(state, action.message, action.retry ? action.name : null)
+        : state;
+    case 'retryPressed':
+      return retried(state);
+    case 'againPressed':
+      return again(state);
+    case 'viewChanged':
+      return withView(state, action.change);
+    case 'fitPressed':
+      return withView(state, { fits: view.fits + 1 });
+    case 'surfaceDrawn':
+      return withView(state, { coarse: false });
+    case 'downloadPressed':
+      return withSession(state, { exporting: true });
+    case 'wakened': {
+      const { name } = session.phase;
+      return restored(state, document, name, name === 'running' ? 'run' : 'hold');
+    }
+    case 'undoPressed':
+      return undone(state);
+    case 'redoPressed':
+      return redone(state);
+    case 'alertDismissed':
+      return withView(state, { alert: null });
+    case 'answered':
+      return afterAnswer(state, action.message);
+    case 'workerLost':
+      return afterLoss(state, action.loss, action.detail);
+  }
+}

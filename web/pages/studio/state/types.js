@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The types of the studio's state and actions; no code.
+ */
+
+/** @import {BoundaryCondition, CageReport, CapName, CertificateReport, Constraints, ConstraintsReport, Energies} from '../../../../wasm/types.js' */
+/** @import {FaceGroup, Fill, FunctionalName} from '../../../../wasm/types.js' */
+/** @import {GeneratedCage, Group, LevelReport, Limit, Mesh, Progress, Report, StopReason, SurfaceState} from '../../../../wasm/types.js' */
+/** @import {Camera} from '../../../address/camera.js' */
+/** @import {EntryName} from '../../../address/compare.js' */
+/** @import {Shading} from '../../../colour/quantities.js' */
+/** @import {CatalogEntry} from '../../../files/catalog.js' */
+/** @import {Exportable, Message} from '../../../worker/protocol.js' */
+/** @import {Loss} from '../../../worker/client.js' */
+
+/**
+ * The user's settings. With `functional` 'blend' the weights hold.
+ * @typedef {object} Settings
+ * @property {FunctionalName | 'blend'} functional
+ * @property {Record<FunctionalName, number>} weights
+ * @property {CapName} cap
+ * @property {boolean} symmetry whether the surface keeps the symmetry of the cage
+ * @property {[number, number]} levels Catmull-Clark steps from the cage
+ * @property {number | null} accuracy the part of the limit within which it is to be known, by as many levels as that takes
+ * @property {number} tolerance
+ * @property {number} max_iterations per level
+ * @property {Constraints} constraints what is held, of the cage that is open; without lists that are empty
+ * @property {Fill | null} fill the boundaries of this cage that are closed with faces
+ * @property {'cage' | 'surface'} origin where the next run starts, once there is a surface
+ */
+
+/**
+ * The source of a cage: a generator's name and parameters; the text of an OBJ or OFF file; or the file of a problem or
+ * a report that has not been parsed yet.
+ * @typedef {{name: string, family: 'hub' | 'flag', thickness: number}} Generator
+ * @typedef {{kind: 'generated'} & Generator & Omit<GeneratedCage, 'generator'>} Generated
+ * @typedef {{kind: 'text', name: string, text: string | Uint8Array}} FileText
+ * @typedef {Generated | FileText | {kind: 'problem', name: string, text: Uint8Array}} Source
+ */
+
+/**
+ * The cage that is open. `groups` are those of its file.
+ * @typedef {{source: Generated | FileText, name: string, counts: CageReport, groups: FaceGroup[]}} OpenCage
+ */
+
+/**
+ * Faces that are held or free. `fileFaces` has for each face the one of the file's cage, from 0, or -1 (see taken.js);
+ * without, they are the same. `free` are the groups that alone are free unless the constraints say what is held.
+ * @typedef {Pick<OpenCage, 'counts' | 'groups'> & {fileFaces?: Int32Array, free?: string[]}} CageFaces
+ *
+ * The cage as the run on the screen takes it, with boundaries filled. `fills` has the group of the new faces of
+ * each.
+ * @typedef {Required<CageFaces> & {fills: Array<{boundary: number, group: string}>}} TakenCage
+ *
+ * What the core refused, and the place on the page where that is said; `boundary` is its number, or null.
+ * @typedef {{place: 'boundary' | 'fill' | 'closeness', boundary: number | null, message: string}} Refusal
+ */
+
+/** What the pointer does on the surface: turns it, holds faces, frees them, or pins vertices. @typedef {'turn' | 'hold' | 'free' | 'pin'} Pointer */
+
+/**
+ * A cage or a surface that the worker is opening under a new run number.
+ * @typedef {object} Opening
+ * @property {number} run
+ * @property {Source} source
+ * @property {Settings} settings the settings when opening began
+ * @property {'cage' | 'preview' | 'start' | 'recovery' | 'entry'} purpose a new cage; the same cage with other
+ *   settings; a new run; the surface again after the worker was lost; a minimizer of the catalog
+ * @property {'hold' | 'run' | 'step'} then
+ * @property {SurfaceState | null} start the surface from which the run starts; null for the cage's
+ * @property {{name: string, asked: Asked}} [before] the step of the history that this makes once it has opened, and what was
+ *   asked before
+ * @property {CatalogEntry} [entry] the catalog entry that is opened
+ * @property {Report} [report] the report of this entry
+ */
+
+/**
+ * One point of the plot.
+ * @typedef {{evaluation: number, energy: number, gradientNorm: number, level: number}} Sample
+ */
+
+/** Energies of a surface of this level. @typedef {{energies: Energies, evaluations: number, level: number}} Measurement */
+
+/**
+ * The surface on the screen. `deviations` has the distance of each vertex of the limit mesh from the cage's own surface; null
+ * unless it is shown.
+ * @typedef {{limit: Mesh, control: Mesh, deviations: Float32Array | null, evaluations: number}} Surface
+ */
+
+/** A copy of the surface, in case the worker is lost. @typedef {{state: SurfaceState, evaluations: number}} SavedSurface */
+
+/**
+ * A certificate that the worker is computing: its progress, and whether the page asked to abandon it.
+ * @typedef {{progress: number, abandoning: boolean}} Certifying
+ */
+
+/** The result of a run. @typedef {Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>} Outcome */
+
+/**
+ * A minimizer of the catalog: its entry, and the settings of its run.
+ * @typedef {{entry: CatalogEntry, settings: Settings}} OpenEntry
+ */
+
+/** `retry` is what can be tried again: to load the core, or an entry of the catalog. @typedef {{title: string, message: string, retry?: 'core' | EntryName}} Alert */
+
+/**
+ * What came out of a problem: the run on the screen.
+ * @typedef {object} Result
+ * @property {Settings} settings of the run
+ * @property {Group | null} group the symmetry that it keeps
+ * @property {TakenCage | null} taken the cage as it takes it; null if that is the file's
+ * @property {boolean} catalogs whether it is the catalog's, opened as the end of a run
+ * @property {Progress | null} progress
+ * @property {StopReason | 'interrupted' | null} stop
+ * @property {Sample[]} samples
+ * @property {LevelReport[]} levels
+ * @property {Limit | null} limit the limit of the levels so far
+ * @property {Measurement | null} first the first measurement
+ * @property {Measurement | null} latest
+ * @property {SavedSurface | null} saved
+ * @property {CertificateReport | null} certificate of its surface
+ * @property {ConstraintsReport | null} constrained what the constraints do to its surface, once it has moved
+ */
+
+/**
+ * What is saved: the problem, and what came out of it. Plain data, without the meshes, which the worker makes anew.
+ * @typedef {object} Document
+ * @property {Generator} generator the chosen shape
+ * @property {Settings} settings of the next run
+ * @property {OpenCage | null} cage null until the first one has opened
+ * @property {OpenEntry | null} minimizer the last catalog entry that was opened on this cage
+ * @property {Result} result
+ */
+
+/**
+ * What the worker does. `loading`: the core is being loaded. `resting`: shows the surface of the cage. `paused` and
+ * `ended`: shows that of a run. `asked` is a command that the worker has not answered yet, and `certifying` the certificate
+ * that it computes.
+ * @typedef {{name: 'loading'} | {name: 'resting'} | {name: 'running', asked: 'pause' | 'cancel' | null}
+ *   | {name: 'paused', asked: 'cancel' | null} | {name: 'ended', certifying: Certifying | null}
+ *   | {name: 'unavailable'}} Phase
+ */
+
+/**
+ * What runs: the worker, and what is to be opened in it.
+ * @typedef {object} Session
+ * @property {Phase} phase
+ * @property {number} run the run on the screen; messages about others are ignored
+ * @property {number} lastRun the largest run number so far
+ * @property {number | null} before the evaluations that the surface had when it was brought back, which this run does not
+ *   count; null if the run began anew
+ * @property {Opening | null} opening beside whatever the phase is
+ * @property {EntryName | null} wanted a catalog entry that is being loaded
+ * @property {boolean} exporting
+ * @property {Refusal | null} refused
+ * @property {string} version version of the core
+ * @property {string[]} cageNames
+ */
+
+/**
+ * What is looked at, and what is said.
+ * @typedef {object} View
+ * @property {Shading} shading
+ * @property {boolean} cage whether the control cage is shown
+ * @property {Camera} camera
+ * @property {'light' | 'dark' | 'system'} theme
+ * @property {Pointer} pointer
+ * @property {number | null} boundary the number of the one that is marked on the surface
+ * @property {Surface | null} surface
+ * @property {boolean} coarse whether to ask for a finer surface once this one has been drawn
+ * @property {number} fits how often the user asked to fit the surface into the view
+ * @property {boolean} fitDue whether the next surface belongs to a new cage
+ * @property {string} said a sentence about the last change of what is held, if it changed nothing
+ * @property {Alert | null} alert
+ */
+
+/** What is asked of a run. @typedef {Pick<Document, 'generator' | 'settings'>} Asked */
+
+/**
+ * A step of the history, with what is on its other side: only what is asked, or the whole document with the phase in which
+ * it was. `stroke`: the brush is still down.
+ * @typedef {{name: string, asked: Asked, stroke?: boolean} | {name: string, document: Document, phase: Phase['name']}} Step
+ *
+ * The steps that can be undone, and those that can be redone, the next one last.
+ * @typedef {{past: Step[], future: Step[]}} History
+ */
+
+/** @typedef {{document: Document, session: Session, view: View, history: History}} State */
+
+/** How near the surface stays to the cage's own. @typedef {NonNullable<Constraints['closeness']>} Closeness */
+
+/**
+ * Changes of what is held. `boundary` is a number from 1, or null for all. Faces are numbered from 0, as in meshes, vertices from 1. A stroke of the brush is many
+ * `facesPainted` and an end.
+ * @typedef {{type: 'facesPainted', faces: number[], held: boolean}
+ *   | {type: 'paintingEnded'}
+ *   | {type: 'groupHeld', name: string, held: boolean}
+ *   | {type: 'holdEdited', how: 'all' | 'invert' | 'grow' | 'clear'}
+ *   | {type: 'vertexPinned', vertex: number}
+ *   | {type: 'pinRemoved', index: number}
+ *   | {type: 'conditionChosen', boundary: number | null, condition: BoundaryCondition}
+ *   | {type: 'fillPressed', boundary: number | null, filled: boolean}
+ *   | {type: 'closenessChanged', closeness: Closeness | null}} HoldAction
+ */
+
+/**
+ * @typedef {HoldAction | {type: 'generatorChanged', change: Partial<Generator>}
+ *   | {type: 'fileChosen', name: string, text: Uint8Array}
+ *   | {type: 'fileRefused', name: string, message: string}
+ *   | {type: 'settingsChanged', change: Partial<Settings>}
+ *   | {type: 'weightChanged', functional: FunctionalName, weight: number}
+ *   | {type: 'startPressed'} | {type: 'pausePressed'} | {type: 'stepPressed'} | {type: 'cancelPressed'} | {type:
+ * 'resetPressed'}
+ *   | {type: 'certifyPressed'} | {type: 'certificateCancelPressed'}
+ *   | {type: 'entryLoaded', name: EntryName, entry: CatalogEntry, report: Report}
+ *   | {type: 'entryMissing', name: EntryName, message: string, retry?: boolean}
+ *   | {type: 'retryPressed'}
+ *   | {type: 'againPressed'}
+ *   | {type: 'viewChanged', change: Partial<View>}
+ *   | {type: 'fitPressed'}
+ *   | {type: 'surfaceDrawn'}
+ *   | {type: 'downloadPressed', what: Exportable}
+ *   | {type: 'undoPressed'} | {type: 'redoPressed'}
+ *   | {type: 'wakened'}
+ *   | {type: 'alertDismissed'}
+ *   | {type: 'answered', message: Message}
+ *   | {type: 'workerLost', loss: Loss, detail: string}} Action
+ */
+
+export {};

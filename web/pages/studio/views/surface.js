@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The picture of the surface: passes meshes and colours to the scene, and reports the camera.
+ */
+import { quantityOf } from '../../../colour/quantities.js';
+import { drawing } from '../../../scene/drawing.js';
+import { createScene } from '../../../scene/scene.js';
+import { heldFaces } from '../state/hold.js';
+import { cageOnScreen } from '../state/taken.js';
+import { createBoundaryEdges } from './boundary_edges.js';
+import { listenToBrush } from './brush.js';
+import { createUndrawnView } from './undrawn.js';
+import { find, whenChanged } from '../../../views/dom.js';
+import { listenToKeys } from '../../../views/keys.js';
+
+/** @import {Camera} from '../../../address/camera.js' */
+/** @import {Quantity} from '../../../colour/quantities.js' */
+/** @import {Range} from '../../../colour/range.js' */
+/** @import {Constraints} from '../../../../wasm/types.js' */
+/** @import {Action, CageFaces, OpenCage, Pointer, State, Surface, TakenCage} from '../state/types.js' */
+
+/**
+ * @param {HTMLElement} root
+ * @param {(action: Action) => void} dispatch
+ */
+export function createSurfaceView(root, dispatch) {
+  const canvas = /** @type {HTMLCanvasElement} */ (find(root, 'canvas'));
+  const listening = new AbortController();
+  const { signal } = listening;
+  const showCage = /** @type {HTMLInputElement} */ (find(root, '[name=show-cage]'));
+  const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  const speed = drawing();
+  /** @param {Camera} camera */
+  const rested = (camera) => dispatch({ type: 'viewChanged', change: { camera } });
+  /** Whether the worker waits for this picture before it continues. */
+  let awaited = false;
+  function drawn() {
+    if (!awaited) return;
+    awaited = false;
+    dispatch({ type: 'surfaceDrawn' });
+  }
+  const scene = speed === 'never' ? null : createScene(canvas, { calm, slow: speed === 'slow', rested, drawn });
+  find(root, '.no-webgl').hidden = Boolean(scene);
+  canvas.hidden = !scene;
+
+  showCage.addEventListener('change', () => dispatch({ type: 'viewChanged', change: { cage: showCage.checked } }), {
+    signal,
+  });
+  find(root, '#fit').addEventListener('click', () => dispatch({ type: 'fitPressed' }), { signal });
+
+  const undrawn = createUndrawnView(root);
+  canvas.addEventListener('webglcontextlost', () => undrawn.tell('lost'), { signal });
+  canvas.addEventListener('webglcontextrestored', () => undrawn.tell(null), { signal });
+
+  listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal);
+  /** @type {Pointer} */
+  let pointer = 'turn';
+  let vertices = 0;
+  const brush = {
+    pointer: () => pointer,
+    /** @param {number} x @param {number} y */
+    pick: (x, y) => scene?.pick(x, y, vertices) ?? null,
+  };
+  listenToBrush(canvas, brush, dispatch, signal);
+
+  const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
+  const setHeld = whenChanged((/** @type {Constraints} */ constraints, /** @type {CageFaces | null} */ cage) => {
+    const held = heldFaces(constraints, cage);
+    scene?.setHeld(held.some(Boolean) ? held : null);
+    scene?.setPins((constraints.pins ?? []).flatMap(({ vertex }) => (vertex ? [vertex - 1] : [])));
+  });
+  const setSurface = whenChanged((/** @type {Surface} */ surface) =>
+    scene?.setSurface(surface.limit, surface.deviations),
+  );
+  const boundaryEdges = createBoundaryEdges();
+  const setMarked = whenChanged(
+    (
+      /** @type {number | null} */ boundary,
+      /** @type {OpenCage | null} */ cage,
+      /** @type {TakenCage | null} */ taken,
+      /** @type {Surface} */ surface,
+    ) => scene?.setMarked(boundaryEdges(boundary, cage, taken, surface.limit)),
+  );
+  const awaitPicture = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ coarse) => {
+    awaited = coarse;
+    if (!scene) queueMicrotask(drawn);
+  });
+  const setCage = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ visible) => {
+    if (visible) scene?.setCage(surface.control);
+    scene?.showCage(visible);
+    showCage.checked = visible;
+  });
+  // The symmetry axis of generated shapes is z; modelling programs usually write y upwards.
+  const setUp = whenChanged((/** @type {boolean} */ generated) => scene?.setUp(generated ? 'z' : 'y'));
+  const shade = whenChanged(
+    (/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range, /** @type {boolean} */ striped) =>
+      scene?.shade(quantity, range, striped),
+  );
+  const recolour = whenChanged((/** @type {boolean} */ dark) => {
+    // A colour of the style sheet, whatever form it is given in there, as the browser computes it.
+    const computed = getComputedStyle(root);
+    scene?.setColours(computed.getPropertyValue('color'), computed.getPropertyValue('outline-color'));
+  });
+  let shown = false;
+  // The camera of the first surface comes from the address.
+  const fit = whenChanged((/** @type {number} */ fits) => shown && scene?.fit());
+
+  return {
+    /**
+     * @param {State} state
+     * @param {Range | null} range range of the quantity that colours the surface
+     * @param {boolean} dark
+     */
+    update(state, range, dark) {
+      recolour(dark);
+      if (!state.view.surface) return;
+      setCamera(state.view.camera);
+      setUp(state.document.cage?.source.kind === 'generated');
+      ({ pointer } = state.view);
+      vertices = state.document.cage?.counts.vertices ?? 0;
+      canvas.dataset.pointer = pointer;
+      setHeld(state.document.settings.constraints, cageOnScreen(state.document));
+      setSurface(state.view.surface);
+      setMarked(state.view.boundary, state.document.cage, state.document.result.taken, state.view.surface);
+      awaitPicture(state.view.surface, state.view.coarse);
+      setCage(state.view.surface, state.view.cage);
+      shade(quantityOf(state.view.shading), range, state.view.shading === 'stripes');
+      fit(state.view.fits);
+      shown = true;
+    },
+    dispose() {
+      listening.abort();
+      scene?.dispose();
+    },
+  };
+}

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The two tables, each with its notes: all energies of the surface by the reporting rule, and the levels that have
+ * ended.
+ */
+import { energyNotes, objectiveName, objectiveValue } from '../state/select.js';
+import { embeddedWords } from '../../../words/energies.js';
+import { functionalWords, functionals, stopWords } from '../../../words/functionals.js';
+import { freeName, lengthUnit } from '../../../words/holding.js';
+import { counted, duration, integer, significant, withError } from '../../../words/numbers.js';
+import { metricWords, thickenedWords } from '../../../words/results.js';
+import { createLines, element, whenChanged } from '../../../views/dom.js';
+
+/** @import {ConstraintsReport, Energies, LevelReport} from '../../../../wasm/types.js' */
+/** @import {Measurement, Result, Settings, State} from '../state/types.js' */
+
+/** Largest number of digits of energies in the table of levels. */
+const LEVEL_DIGITS = 7;
+/** An integral of the Gaussian curvature below this is rounding error. */
+const ROUND_OFF = 1e-9;
+const DIVERGES = 'Third-order energies are infinite at extraordinary vertices without a cap.';
+
+/**
+ * The content of a cell: a number, with an error bar if it has one; or the reason why there is none.
+ * @param {number} value
+ * @param {number | null} error
+ * @returns {Node[]}
+ */
+function cell(value, error) {
+  if (Number.isNaN(value)) return [element('span', { class: 'muted', title: DIVERGES }, 'diverges')];
+  if (error === null) return [document.createTextNode(significant(value))];
+  const parts = withError(value, error);
+  const bar = element('span', { class: 'error', title: 'Quadrature error' }, ` ± ${parts.error}`);
+  return parts.error ? [document.createTextNode(parts.value), bar] : [document.createTextNode(parts.value)];
+}
+
+/**
+ * @param {string} name
+ * @param {string} formula
+ * @param {Node[]} now
+ * @param {Node[]} start
+ * @param {boolean} objective
+ * @param {Node[]} [note] below the name
+ */
+function energyRow(name, formula, now, start, objective, note = []) {
+  return element(
+    'tr',
+    objective ? { class: 'objective' } : {},
+    element('th', { scope: 'row', title: formula }, name, ...note),
+    element('td', { class: 'muted' }, ...start),
+    element('td', {}, ...now),
+  );
+}
+
+/**
+ * @param {Settings} settings settings of the run to which the energies belong
+ * @param {Energies} now
+ * @param {Energies | null} start null if the surface is still that of the start
+ * @param {number | undefined} deviation the largest, where something is held
+ * @param {string} unit of lengths
+ * @returns {HTMLTableRowElement[]}
+ */
+function energyRows(settings, now, start, deviation, unit) {
+  const blend = settings.functional === 'blend';
+  const rows = functionals.map(({ id, name, formula }) => {
+    const objective = settings.functional === id && !now.free;
+    const error = objective ? now.quadrature_error : null;
+    const embedded = id === 'willmore' && now.embedded;
+    const note = embedded ? [element('small', { title: embeddedWords.reason }, embeddedWords.name)] : [];
+    return energyRow(name, formula, cell(now[id], error), start ? cell(start[id], null) : [], objective, note);
+  });
+  if (blend || now.free) {
+    const [value, first] = [now, start].map((energies) => (energies ? objectiveValue(settings, energies) : null));
+    const name = settings.functional === 'blend' ? 'Blend' : functionalWords(settings.functional).name;
+    rows.unshift(
+      energyRow(
+        name,
+        objectiveName(settings),
+        cell(value ?? NaN, now.quadrature_error),
+        first === null ? [] : cell(first, null),
+        true,
+        now.free ? [element('small', {}, freeName(now))] : [],
+      ),
+    );
+  }
+  /** @param {Energies | null} energies */
+  const gaussian = (energies) => {
+    const value = energies ? energies.gaussian / (4 * Math.PI) : 0;
+    return energies ? cell(Math.abs(value) < ROUND_OFF ? 0 : value, null) : [];
+  };
+  rows.push(
+    energyRow('Area A', '∫ dA, in length²', cell(now.area, null), start ? cell(start.area, null) : [], false),
+    energyRow('∫ K dA / 4π', '1 − genus, for one component', gaussian(now), gaussian(start), false),
+  );
+  if (deviation !== undefined) {
+    const title = 'From the cage’s own surface, between points of the same parameters';
+    const note = [element('small', {}, `|X − X₀|, ${unit}`)];
+    rows.push(energyRow('Largest deviation', title, cell(deviation, null), [], false, note));
+  }
+  return rows;
+}
+
+/** @param {HTMLElement} root */
+export function createEnergiesView(root) {
+  const body = element('tbody');
+  const startHead = element('th', { scope: 'col' }, 'Start');
+  const nowHead = element('th', { scope: 'col' }, 'Now');
+  const head = element('tr', {}, element('td'), startHead, nowHead);
+  const table = element('table', { class: 'energies' }, element('thead', {}, head), body);
+  const notes = element('div');
+  root.append(table, notes);
+
+  const show = whenChanged(
+    (
+      /** @type {Measurement | null} */ latest,
+      /** @type {Measurement | null} */ first,
+      /** @type {Settings} */ settings,
+      /** @type {ConstraintsReport | null} */ constrained,
+      /** @type {string} */ unit,
+    ) => {
+      table.hidden = !latest;
+      if (!latest) return;
+      const moved = first !== null && first !== latest;
+      head.hidden = !moved;
+      table.classList.toggle('moved', moved);
+      const start = moved ? first.energies : null;
+      body.replaceChildren(...energyRows(settings, latest.energies, start, constrained?.deviation, unit));
+    },
+  );
+  const showNotes = createLines(notes);
+
+  return {
+    /** @param {State} state */
+    update(state) {
+      show(
+        state.document.result.latest,
+        state.document.result.first,
+        state.document.result.settings,
+        state.document.result.constrained,
+        lengthUnit(state.document.cage?.source.kind === 'text'),
+      );
+      showNotes(energyNotes(state));
+    },
+    dispose: () => root.replaceChildren(),
+  };
+}
+
+/** A level's energy, with as many digits as the quadrature error justifies and the column can hold. @param {LevelReport} report */
+function levelEnergy({ energy, energy_reported }) {
+  if (Number.isNaN(energy_reported)) return 'diverges';
+  const { value } = withError(energy_reported, Math.abs(energy_reported - energy));
+  return value.length > LEVEL_DIGITS + 1 ? significant(energy_reported, LEVEL_DIGITS) : value;
+}
+
+/** @param {LevelReport} report */
+function levelTitle({ unknowns, seconds, metrics, evaluable }) {
+  const facts = [counted(unknowns, 'unknown'), `metric built ${counted(metrics, 'time')}`];
+  if (Number.isFinite(seconds)) facts.splice(1, 0, duration(seconds));
+  if (!evaluable) facts.push('prepares the first level that is evaluated on its own mesh');
+  return facts.join(', ');
+}
+
+/** @param {HTMLElement} root */
+export function createLevelsView(root) {
+  const body = element('tbody');
+  const heads = ['Level', 'Patches', 'Energy', 'Evaluations', 'Metric', 'Ended'].map((name) =>
+    element('th', { scope: 'col' }, name),
+  );
+  const notes = element('div');
+  root.append(element('table', { class: 'levels' }, element('thead', {}, element('tr', {}, ...heads)), body), notes);
+  const showNotes = createLines(notes);
+
+  const show = whenChanged((/** @type {Result['levels']} */ levels) => {
+    const section = root.closest('section');
+    if (section) section.hidden = !levels.length;
+    showNotes(thickenedWords(levels).map((words) => ({ words })));
+    body.replaceChildren(
+      ...levels.map((report) => {
+        return element(
+          'tr',
+          { title: levelTitle(report) },
+          element('td', {}, String(report.level)),
+          element('td', {}, integer(report.patches)),
+          element('td', {}, levelEnergy(report)),
+          element('td', {}, integer(report.evaluations)),
+          element('td', {}, metricWords[report.metric]),
+          element('td', {}, stopWords[report.stop] ?? report.stop),
+        );
+      }),
+    );
+  });
+
+  return {
+    /** @param {State} state */
+    update: (state) => show(state.document.result.levels),
+    dispose: () => root.replaceChildren(),
+  };
+}
