@@ -108,6 +108,7 @@ export function levelReport(level, more = {}) {
     stop: 'converged',
     metric: 'hessian',
     metrics: 1,
+    parametrization_stages: 0,
     evaluable: true,
     credible: true,
     thickened: false,
