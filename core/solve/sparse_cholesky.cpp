@@ -11,7 +11,7 @@ namespace {
 
 /// Floating-point operations per call of `advance`; with several threads so many times as much for each.
 constexpr double kFlopsPerPart = 1e8;
-constexpr int kPartsPerThread = 10;
+constexpr int kFactorPartsPerThread = 10;
 /// A supernode that takes fewer floating-point operations is left to one thread.
 constexpr double kLeastSharedNode = 1e6;
 /// Columns of a piece of a supernode: few enough to divide the work evenly, enough for the copies of factors that each
@@ -140,7 +140,7 @@ struct SparseCholesky::Steps {
 
 void SparseCholesky::eliminate_top() {
   const bool shared = kHasThreads && split_.shared;
-  const double until = flops_done_ + (shared ? kPartsPerThread * sharing_ : 1) * kFlopsPerPart;
+  const double until = flops_done_ + (shared ? kFactorPartsPerThread * sharing_ : 1) * kFlopsPerPart;
   Steps steps;
   for (; next_ < split_.top.size() && flops_done_ < until && !shared_->failed; ++next_) {
     const int supernode = split_.top[next_];
