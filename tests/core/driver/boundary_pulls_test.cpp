@@ -74,7 +74,10 @@ double area_factor(const Run& run) { return run.energies().free ? run.energies()
 
 class BoundaryPulls : public testing::TestWithParam<std::tuple<const char*, BoundaryCondition>> {};
 
-TEST_P(BoundaryPulls, are_derivatives_of_the_minimal_energy_by_moving_and_turning_a_loop) {
+/// Of two dozen runs like the one of the other test.
+class BoundaryPullsSlow : public BoundaryPulls {};
+
+TEST_P(BoundaryPullsSlow, are_derivatives_of_the_minimal_energy_by_moving_and_turning_a_loop) {
   const char* const functional = std::get<0>(GetParam());
   const BoundaryCondition condition = std::get<1>(GetParam());
   const Cage cage = bent_tube();
@@ -116,12 +119,12 @@ TEST_P(BoundaryPulls, and_their_moments_balance) {
 }
 
 /// With its position alone held, the minima of a third-order functional are not isolated enough for differences.
-INSTANTIATE_TEST_SUITE_P(OfConditions, BoundaryPulls,
-                         testing::Values(std::tuple{"bending", BoundaryCondition::kPosition},
-                                         std::tuple{"bending", BoundaryCondition::kTangent},
-                                         std::tuple{"bending", BoundaryCondition::kCurvature},
-                                         std::tuple{"mvs_cross", BoundaryCondition::kTangent},
-                                         std::tuple{"mvs_cross", BoundaryCondition::kCurvature}));
+const auto kEachCondition = testing::Values(
+    std::tuple{"bending", BoundaryCondition::kPosition}, std::tuple{"bending", BoundaryCondition::kTangent},
+    std::tuple{"bending", BoundaryCondition::kCurvature}, std::tuple{"mvs_cross", BoundaryCondition::kTangent},
+    std::tuple{"mvs_cross", BoundaryCondition::kCurvature});
+INSTANTIATE_TEST_SUITE_P(OfConditions, BoundaryPulls, kEachCondition);
+INSTANTIATE_TEST_SUITE_P(OfConditions, BoundaryPullsSlow, kEachCondition);
 
 TEST(BoundaryPulls, of_free_loops_are_not_reported) {
   Constraints constraints;

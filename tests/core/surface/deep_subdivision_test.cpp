@@ -45,7 +45,8 @@ TEST_P(LimitSurface, equals_deep_subdivision_close_to_the_extraordinary_vertex) 
   expect_agreement(rough(trapezohedron(GetParam()), 1, 0.15, 8), {{1 / 300., 1 / 700., 1}, {0.0011, 0.0037, 1}});
 }
 
-INSTANTIATE_TEST_SUITE_P(Valence, LimitSurface, testing::Range(3, 13));
+INSTANTIATE_TEST_SUITE_P(Valence, LimitSurface, testing::Values(3, 4, 5, 12));
+INSTANTIATE_TEST_SUITE_P(ValenceSlow, LimitSurface, testing::Range(6, 12));
 
 class RingNetOver : public testing::TestWithParam<CapShape> {};
 
