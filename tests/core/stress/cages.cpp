@@ -103,7 +103,7 @@ std::vector<StressCage> make() {
       {"noise 0.3 on a frame", noisy(frame, 0.15, 7)},
       {"noise 1 on a frame", noisy(frame, 0.5, 8)},
       {"double sphere", wound_sphere(6, 2, 2)},
-      {"triple sphere", wound_sphere(9, 2, 3)},
+      {"triple sphere", wound_sphere(9, 2, 3), 1e-6},  // its branch points keep patches next to singular ones
       {"double cover of a torus", wound_torus(5, 8, 0.5, 2)},
       {"triple cover of a torus", wound_torus(4, 9, 0.4, 3)},
       {"spike", with_vertex(cube(), 6, Vector3(1e4, 1e4, 1e4))},
