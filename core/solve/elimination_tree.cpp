@@ -239,8 +239,8 @@ void EliminationTree::locate_entries(const Matrix& lower) {
           {source, (column - node.first) * node.height() + (within < node.width ? within : below())});
     }
   }
-  for (std::vector<Entry>& entries : entries_) {
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.target < b.target; });
+  for (auto& entries : entries_) {
+    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
   }
 }
 

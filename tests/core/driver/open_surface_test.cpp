@@ -3,6 +3,7 @@
 /// Open cages from the cage to reports and drawings, nothing optimized.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>

@@ -3,6 +3,7 @@
 /// Energies of surfaces with boundary: closed forms, Gauss & Bonnet, gradients, symmetry.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
