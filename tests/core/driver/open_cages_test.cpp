@@ -157,7 +157,7 @@ std::string condition_name(const testing::TestParamInfo<BoundaryCondition>& cond
   return std::string(name_of(condition.param));
 }
 
-/// These two take every way through the code; the others hold less, by the same rows.
+/// The conditions that hold most; the others hold less, by the same rows or none.
 INSTANTIATE_TEST_SUITE_P(At, Conditions, testing::Values(BoundaryCondition::kTangent, BoundaryCondition::kCurvature),
                          condition_name);
 INSTANTIATE_TEST_SUITE_P(AtSlow, Conditions, testing::Values(BoundaryCondition::kFree, BoundaryCondition::kPosition),
