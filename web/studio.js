@@ -94,6 +94,7 @@ const byId = (id) => find(document, `#${id}`);
 const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), (chosen) =>
   dispatch({ type: 'viewChanged', change: { theme: chosen } }),
 );
+theme.update(storedTheme()); // the page shows before its documents are read
 const legend = createLegendView(
   byId('legend'),
   (shading) => dispatch({ type: 'viewChanged', change: { shading } }),

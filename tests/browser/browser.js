@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The system's Chromium for the browser tests, with its own network traffic disabled and WebGL in software.
+ * @file The system's Chromium for the browser tests, with its own network traffic disabled and WebGL in software. It is
+ * the one without windows: the usual one draws its own windows unseen, which takes longer than most tests.
  */
 import { chromium } from 'playwright-core';
 
-/** Path of the system's Chromium, unless the environment variable CHROMIUM gives another. */
-const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+/** Path of the system's headless Chromium, unless the environment variable CHROMIUM gives another. */
+const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell';
 
 export function launchBrowser() {
   return chromium.launch({

@@ -26,7 +26,7 @@ export const tools = [
   { package: 'libcli11-dev', header: 'CLI/CLI.hpp', needs: ['native'] },
   { package: 'libgtest-dev', header: 'gtest/gtest.h', needs: ['native'] },
   { package: 'clang-format', program: 'clang-format', needs: ['lint'] },
-  { package: 'chromium', program: 'chromium', needs: ['browser'] },
+  { package: 'chromium-headless-shell', program: 'chromium-headless-shell', needs: ['browser'] },
 ];
 
 const includeFolders = ['/usr/include', '/usr/local/include'];
