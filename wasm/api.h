@@ -124,6 +124,14 @@ void umbilic_run_destroy(umbilic_run* run);
  */
 umbilic_status umbilic_run_step(umbilic_run* run, int32_t units, int32_t* done);
 
+/**
+ * Changes the weights of the terms, the targets of pins and the pull to the cage's own surface of a run, ended or not:
+ * {"terms": {…}, "pins": [{"at": [x, y, z], "normal": [x, y, z]}, {}], "closeness": weight}, each member or none. It
+ * goes on from its best surface; what was known of levels is forgotten. UMBILIC_BAD_INPUT if that does not fit the
+ * problem; then the run stays as it is.
+ */
+umbilic_status umbilic_run_retarget(umbilic_run* run, const char* targets, size_t length);
+
 /** Ends the run. Its result is what has been computed so far. */
 umbilic_status umbilic_run_cancel(umbilic_run* run);
 

@@ -3,6 +3,7 @@
 /// Runs and certificates.
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,16 @@ umbilic_status umbilic_run_step(umbilic_run* run, int32_t units, int32_t* done) 
     if (units < 0) return fail(UMBILIC_BAD_ARGUMENT, fmt::format("{} units", units));
     *done = changing(*run, [&] { return run->run.run.step(units); });
     return UMBILIC_OK;
+  });
+}
+
+umbilic_status umbilic_run_retarget(umbilic_run* run, const char* text, size_t length) {
+  return guarded([&] {
+    if (!all_given(run, text) || !usable(*run)) return UMBILIC_BAD_ARGUMENT;
+    const Result<Targets> targets = parse_targets({text, length});
+    if (!targets) return fail(targets.error());
+    const std::optional<Error> error = changing(*run, [&] { return run->run.retarget(*targets); });
+    return error ? fail(*error) : UMBILIC_OK;
   });
 }
 

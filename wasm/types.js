@@ -99,6 +99,15 @@
  * @property {SurfaceState} [start] the surface from which the run starts; by default that of the cage
  */
 
+/**
+ * New values for a run that goes on; what is not given stays. See core/problem/targets.h.
+ * @typedef {object} Targets
+ * @property {Terms} [terms]
+ * @property {{at?: [number, number, number], normal?: [number, number, number]}[]} [pins] one for each of the problem's, in
+ *   their order; NaN where the pin leaves a coordinate free
+ * @property {number} [closeness] its weight, where the problem has one
+ */
+
 /* ---- reports ---- */
 
 /**

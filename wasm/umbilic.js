@@ -35,7 +35,7 @@ import {
 
 /**
  * @import {CageInput, CageReport, CertificateReport, Energies, FaceGroup, FunctionalName, GeneratedCage, Group, LevelReport, Limit,
- * Mesh, Problem, Progress, Report, Terms, TorusMinimizer} from './types.js'
+ * Mesh, Problem, Progress, Report, Targets, Terms, TorusMinimizer} from './types.js'
  */
 
 export { InputError, load } from './memory.js';
@@ -188,6 +188,16 @@ export class Minimizer {
   /** Up to `units` energy evaluations. @param {number} units @returns {boolean} whether the run is done */
   step(units) {
     return wordFrom('run_step', this.#alive, count(units, 'the number of units', 0)) !== 0;
+  }
+
+  /**
+   * Changes weights, pins' targets or the pull to the cage's own surface of a run, ended or not. It goes on from its best
+   * surface; levels and limit are those since then.
+   * @param {Targets} targets
+   * @throws {InputError} if they do not fit the problem; then the run stays as it is
+   */
+  retarget(targets) {
+    withText(JSON.stringify(targets), (pointer, length) => call('run_retarget', this.#alive, pointer, length));
   }
 
   /** Ends the run. Its result is what has been computed so far. */

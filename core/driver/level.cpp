@@ -21,6 +21,8 @@ namespace {
 /// After this many iterations a new metric costs less than the iterations that it saves.
 constexpr int kHessianLifetime = 10;
 constexpr int kSobolevLifetime = 25;
+/// The same for a metric that another level built for other targets.
+constexpr int kTakenLifetime = 5;
 
 /// Far from a minimum a Hessian may need so much of the Sobolev product that it contributes nothing itself. After this
 /// many uninformative metrics in a row the Sobolev metric is used alone, unless the surface has so few patches that the
@@ -133,9 +135,13 @@ LbfgsOptions Level::optimizer_options() const {
   return options;
 }
 
+const Metric& Level::first_metric() const {
+  if (mapped_metric_) return *mapped_metric_;
+  return metric_ ? static_cast<const Metric&>(*metric_) : kIdentityMetric;
+}
+
 void Level::start() {
-  const Metric& metric = metric_ ? static_cast<const Metric&>(*metric_) : kIdentityMetric;
-  lbfgs_ = std::make_unique<Lbfgs>(*objective_, metric, unknowns_of(start_.control), optimizer_options());
+  lbfgs_ = std::make_unique<Lbfgs>(*objective_, first_metric(), unknowns_of(start_.control), optimizer_options());
 }
 
 void Level::prepare() {
@@ -167,7 +173,7 @@ void Level::try_thicker_start() {
 }
 
 void Level::prepare_metric() {
-  if (metric_choice_ == MetricChoice::kIdentity) return;
+  if (metric_choice_ == MetricChoice::kIdentity || metric_) return;
   if (metric_choice_ == MetricChoice::kNewton && options_.even_parameters) {
     stages_.begin(surface_.energy(), surface_.start());
     objective_->set_parametrization(stages_.weight());
@@ -178,19 +184,23 @@ void Level::prepare_metric() {
 
 void Level::make_metric() {
   if (metric_choice_ == MetricChoice::kSobolev) {
-    metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_, gauge_, surface_.closeness());
+    own_metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_, gauge_, surface_.closeness());
   } else {
-    metric_ = std::make_unique<HessianMetric>(surface_.layout(), unknowns_, options_.weights,
-                                              hessian_rule(options_.cap, options_.weights, options_.quadrature), gauge_,
-                                              options_.fixed_area, surface_.closeness(),
-                                              metric_choice_ == MetricChoice::kNewton);
+    own_metric_ = std::make_unique<HessianMetric>(surface_.layout(), unknowns_, options_.weights,
+                                                  hessian_rule(options_.cap, options_.weights, options_.quadrature),
+                                                  gauge_, options_.fixed_area, surface_.closeness(),
+                                                  metric_choice_ == MetricChoice::kNewton);
   }
+  metric_ = own_metric_.get();
+  if (lbfgs_) lbfgs_->set_metric(*metric_);
+  mapped_metric_.reset();
+  metric_owner_.reset();
 }
 
 bool Level::metric_is_stale() const {
   if (!metric_ || !lbfgs_->between_iterations() || (last_hessian_suffices() && lbfgs_->has_nearly_converged()))
     return false;
-  const int lifetime = metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
+  const int lifetime = metric_owner_ ? kTakenLifetime : metric_->knows_hessian() ? kHessianLifetime : kSobolevLifetime;
   return lbfgs_->iterations() - metric_iteration_ >= lifetime;
 }
 
@@ -213,7 +223,6 @@ bool Level::step() {
     if (options_.metric == MetricChoice::kAutomatic && hessian_is_uninformative()) {
       metric_choice_ = MetricChoice::kSobolev;
       make_metric();
-      lbfgs_->set_metric(*metric_);
     }
     rebuild_metric();
   }
@@ -239,12 +248,18 @@ bool Level::step() {
   return ended && !should_continue();
 }
 
-/// Goes on with a positive definite metric where one that is not has found no way down.
-bool Level::with_positive_metric() {
+/// Goes on with a better metric where one that is another level's, or not positive definite, has found no way down.
+bool Level::with_better_metric() {
   const bool stuck = lbfgs_->stop() == StopReason::kRoundOff || lbfgs_->stop() == StopReason::kLineSearchStalled;
-  if (!stuck || !metric_ || metric_->positive()) return false;
-  metric_->make_positive();
-  building_ = true;
+  if (!stuck || !metric_) return false;
+  if (metric_owner_) {
+    rebuild_metric();
+  } else if (metric_->positive()) {
+    return false;
+  } else {
+    metric_->make_positive();
+    building_ = true;
+  }
   lbfgs_->resume(optimizer_options().tolerance);
   return true;
 }
@@ -264,16 +279,17 @@ bool Level::next_stage() {
 /// Whether convergence should not be trusted yet: the metric can still become better, or the level has ended above the
 /// one before, as in a slow valley.
 bool Level::should_continue() {
-  if (with_positive_metric() || next_stage()) return true;
+  if (with_better_metric() || next_stage()) return true;
   if (lbfgs_->stop() != StopReason::kConverged) return false;
-  const bool in_question =
-      metric_ && (!metric_->settled() || (!metric_->predicts() && uninformative_metrics_ < kUninformativeInARow));
+  const bool in_question = metric_ && (metric_owner_ || !metric_->settled() ||
+                                       (!metric_->predicts() && uninformative_metrics_ < kUninformativeInARow));
   if (!in_question) {
     if (strict_ || !above_the_level_before()) return false;
     strict_ = true;
   }
   lbfgs_->resume(strict_ ? kToleranceReduction * options_.tolerance : options_.tolerance);
-  if (metric_ && !metric_->settled() && (last_hessian_suffices() || metric_choice_ == MetricChoice::kNewton)) {
+  if (metric_ && !metric_owner_ && !metric_->settled() &&
+      (last_hessian_suffices() || metric_choice_ == MetricChoice::kNewton)) {
     metric_->settle();
     building_ = true;
   } else if (metric_) {
@@ -293,6 +309,7 @@ bool Level::above_the_level_before() const {
 }
 
 void Level::rebuild_metric() {
+  if (metric_owner_) make_metric();
   if (lbfgs_) metric_->gained(lbfgs_->latest_gain());
   metric_->begin(best(), stages_.weight());
   building_ = true;
@@ -316,41 +333,6 @@ bool Level::needs_finer_rule(const EnergyReport& energies) const {
   // A wider cap may let a level begin far above the one before; returning from there is no gain.
   const double start = std::min(*start_energy_, options_.energy_before);
   return exploits_quadrature(options_.weights, start, lbfgs_->best_value(), surface_.objective(energies));
-}
-
-std::unique_ptr<Level> Level::with_finer_rule() const {
-  LevelOptions options = options_;
-  ++options.quadrature;
-  options.max_iterations -= lbfgs_->iterations();
-  options.even_parameters = false;
-  auto level = std::make_unique<Level>(best_cage(), surface_.level(), options);
-  level->before_ = {iterations(), evaluations(),  before_.metrics + metrics_, before_.stages + stages_.begun(),
-                    energy(),     gradient_norm()};
-  level->start_energy_ = start_energy_;
-  level->thicknesses_tried_ = kThicknessRatios.size();
-  level->thickened_ = thickened_;
-  return level;
-}
-
-std::unique_ptr<Level> Level::with_closeness(double weight) const {
-  RefinedCage start = best_cage();
-  start.closeness = weight;
-  LevelOptions options = options_;
-  if (lbfgs_) options.even_parameters = false;
-  auto level = std::make_unique<Level>(std::move(start), surface_.level(), options);
-  level->before_ = {iterations(), evaluations(),  before_.metrics + metrics_, before_.stages + stages_.begun(),
-                    energy(),     gradient_norm()};
-  return level;
-}
-
-std::unique_ptr<Level> Level::with_thicker_start() const {
-  if (!thicker_) return nullptr;
-  RefinedCage start = start_;
-  start.control = *thicker_;
-  auto level = std::make_unique<Level>(std::move(start), surface_.level(), options_);
-  level->thicknesses_tried_ = kThicknessRatios.size();
-  level->thickened_ = true;
-  return level;
 }
 
 LevelReport Level::report(const EnergyReport& energies) const {

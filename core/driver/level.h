@@ -63,6 +63,11 @@ class Level {
   std::unique_ptr<Level> with_finer_rule() const;
   /// A level that continues from the best surface, pulled to the cage's own with another weight.
   std::unique_ptr<Level> with_closeness(double weight) const;
+  /// A level that continues from the best surface of another one with other weights, or other targets of the same pins:
+  /// from its points, moved to the targets. The rows must not contradict one another. Until it has built a metric of
+  /// its own it takes that of the other level, which is near.
+  static std::unique_ptr<Level> retargeted(std::unique_ptr<Level> before, RefinedCage targets,
+                                           const LevelOptions& options);
   /// The level with a thicker start, where the samples miss curvature of its own and see all of that one; see
   /// driver/thickness.h. Null otherwise.
   std::unique_ptr<Level> with_thicker_start() const;
@@ -105,9 +110,11 @@ class Level {
   void start();
   void make_metric();
   void rebuild_metric();
+  void take_metric(std::unique_ptr<Level> from);
+  const Metric& first_metric() const;
   bool metric_is_stale() const;
   bool hessian_is_uninformative() const;
-  bool with_positive_metric();
+  bool with_better_metric();
   bool next_stage();
   bool should_continue();
   bool last_hessian_suffices() const;
@@ -123,7 +130,10 @@ class Level {
   Unknowns unknowns_;
   std::unique_ptr<SurfaceObjective> objective_;  // null before the first step, like the metric
   MetricChoice metric_choice_;                   // never kAutomatic
-  std::unique_ptr<SurfaceMetric> metric_;        // null for the identity
+  std::unique_ptr<SurfaceMetric> own_metric_;    // null before it is made
+  SurfaceMetric* metric_ = nullptr;              // the one in use; null for the identity
+  std::unique_ptr<Level> metric_owner_;          // the level whose metric is in use; null if it is the own one
+  std::unique_ptr<Metric> mapped_metric_;        // that level's metric in these unknowns, if its unknowns are others
   bool building_ = false;
   std::unique_ptr<Lbfgs> lbfgs_;
   std::size_t thicknesses_tried_ = 0;  // of kThicknessRatios

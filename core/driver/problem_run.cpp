@@ -9,6 +9,11 @@
 
 namespace umbilic {
 
+std::optional<Error> ProblemRun::retarget(const Targets& targets) {
+  if (auto error = run.retarget(targets)) return error;
+  return set_targets(targets, problem.options, problem.constraints);
+}
+
 Report ProblemRun::report() const {
   Report report;
   report.instruction_set = std::string(name_of(instruction_set()));

@@ -18,6 +18,8 @@ struct ProblemRun {
   Run run;
   std::vector<FaceGroup> groups{};  ///< of the cage
 
+  /// As Run::retarget; the problem then has the new targets.
+  std::optional<Error> retarget(const Targets& targets);
   /// Report on the best surface so far. The caller fills in `program` and `certificate`.
   Report report() const;
 };

@@ -19,6 +19,7 @@
 #include "driver/extrapolate.h"
 #include "driver/level.h"
 #include "driver/memory.h"
+#include "driver/retarget.h"
 #include "driver/surface_state.h"
 #include "driver/tessellate.h"
 #include "mesh/coordinates.h"
@@ -43,7 +44,12 @@ struct Run::State {
     }
   };
 
+  State(const RunOptions& asked, Constraints given, RefinedCage prepared)
+      : options(asked), constraints(std::move(given)), cage(std::move(prepared)) {}
+
   RunOptions options;
+  Constraints constraints;
+  const RefinedCage cage;             // at level 0
   int required_level = 0;             // the first level that can be evaluated
   std::vector<int> cage_numbers;      // of each face of the surface, from which holes are left out, in the cage
   std::vector<int> faces_of_corners;  // of the surface of the cage: the face of each half-edge, as in the cage
@@ -87,8 +93,8 @@ struct Run::State {
   }
 
   Cage control_mesh() const {
-    const RefinedCage cage = level->best_cage();
-    return to_cage(cage.mesh, cage.placement.back(cage.control));
+    const RefinedCage refined = level->best_cage();
+    return to_cage(refined.mesh, refined.placement.back(refined.control));
   }
 
   /// Of the surface as it is written.
@@ -158,6 +164,25 @@ struct Run::State {
     energies.reset();
     progress.phase = Phase::kPrepare;
     update_progress();
+  }
+
+  std::optional<Error> retarget(const Targets& targets) {
+    RunOptions next = options;
+    Constraints changed = constraints;
+    if (auto error = set_targets(targets, next, changed)) return error;
+    if (Error error; diverges(cage.mesh, options.cap, next.weights, error)) return error;
+    Result<RefinedCage> surface = with_targets(level->best_cage(), cage, targets, changed, options.cap);
+    if (!surface) return surface.error();
+    options = next;
+    constraints = std::move(changed);
+    best.reset();
+    levels.clear();
+    energies_of_levels.clear();
+    progress.ended_levels = 0;
+    level_seconds = 0;
+    cancelled = false;
+    replace_level(Level::retargeted(std::move(level), std::move(surface).value(), level_options()));
+    return std::nullopt;
   }
 
   LimitReport limit() const {
@@ -250,7 +275,7 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constra
   if (!prepared) return prepared.error();
   if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
   const bool constrained = prepared->is_constrained();
-  auto state = std::make_unique<State>();
+  auto state = std::make_unique<State>(options, constraints, *prepared);
   state->required_level = required_level(prepared->mesh).value();
   if (options.accuracy) choose_last_level(*prepared, state->required_level, start ? start->level : 0, options);
   state->options = options;
@@ -303,6 +328,8 @@ bool Run::step(int units) {
   state_->level_seconds += seconds() - booked;
   return state_->progress.phase == Phase::kDone;
 }
+
+std::optional<Error> Run::retarget(const Targets& targets) { return state_->retarget(targets); }
 
 void Run::cancel() {
   if (state_->progress.phase == Phase::kDone) return;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #include "problem/problem.h"
 #include "problem/progress.h"
 #include "problem/report.h"
+#include "problem/targets.h"
 
 namespace umbilic {
 
@@ -45,6 +47,15 @@ class Run {
   /// Does up to `units` units of work. A unit is one energy evaluation, or a part of a level's preparation that costs
   /// no more. Returns whether the run is done; further calls do nothing.
   bool step(int units);
+
+  /// Changes the weights, the pins' targets and the pull to the cage's own surface of a run, ended or not, which goes
+  /// on from its best surface at the level where that is. What was known of levels so far is forgotten: the levels, the
+  /// limit and the best surface are those since then. The next steps find where the surface goes to first order with
+  /// the metric that is there, before one is built anew.
+  ///
+  /// If the targets do not fit the problem, contradict one another, or do not keep the symmetry that the run keeps, the
+  /// run stays as it is.
+  std::optional<Error> retarget(const Targets& targets);
 
   /// Ends the run at once. Its result is what has been computed so far. The stop reason of the current level is
   /// kCancelled unless it had just ended by itself.

@@ -98,5 +98,6 @@ Result<Report> parse_report(std::string_view text) {
 
 Result<CageInput> parse_cage(std::string_view text) { return parse_value<CageInput>(text); }
 Result<Weights> parse_terms(std::string_view text) { return parse_value<Weights>(text); }
+Result<Targets> parse_targets(std::string_view text) { return parse_value<Targets>(text); }
 
 }  // namespace umbilic

@@ -17,6 +17,7 @@
 #include "base/result.h"
 #include "problem/print.h"
 #include "problem/report.h"
+#include "problem/targets.h"
 
 namespace umbilic {
 
@@ -46,6 +47,8 @@ Result<Report> parse_report(std::string_view text);
 Result<CageInput> parse_cage(std::string_view text);
 /// Terms alone, as they stand in a problem.
 Result<Weights> parse_terms(std::string_view text);
+/// New values for a run, see problem/targets.h.
+Result<Targets> parse_targets(std::string_view text);
 
 /// JSON Schema (draft 7) of both forms, with words for each member.
 std::string schema_text();

@@ -112,6 +112,8 @@ TEST_F(Contract, answers_a_null_pointer_with_a_status_and_writes_nothing) {
       umbilic_run_create(text, length, nullptr, 3, &no_run),
       umbilic_run_step(nullptr, 1, &done),
       umbilic_run_step(run, 1, nullptr),
+      umbilic_run_retarget(nullptr, text, length),
+      umbilic_run_retarget(run, nullptr, 3),
       umbilic_run_cancel(nullptr),
       umbilic_run_part(nullptr, UMBILIC_PART_LEVELS, &answer),
       umbilic_run_part(run, UMBILIC_PART_LEVELS, nullptr),
@@ -234,7 +236,8 @@ TEST_F(Contract, takes_calls_in_any_order) {
     double progress = 0;
     umbilic_mesh* made = nullptr;
     umbilic_certificate* another = nullptr;
-    switch (random() % 10) {
+    const std::string targets = fmt::format(R"({{"terms": {{"bending": {}}}}})", integer());
+    switch (random() % 11) {
       case 0: expect_an_answer(umbilic_run_step(run, integer(), &done)); break;
       case 1: expect_an_answer(umbilic_run_part(run, integer(), &text)); break;
       case 2: expect_an_answer(umbilic_run_report(run, random() % 2 ? certificate : nullptr, &text)); break;
@@ -247,6 +250,7 @@ TEST_F(Contract, takes_calls_in_any_order) {
       case 9:
         if (i > 300) expect_an_answer(umbilic_run_cancel(run));
         break;
+      case 10: expect_an_answer(umbilic_run_retarget(run, targets.data(), targets.size())); break;
     }
     umbilic_mesh_destroy(made);
     umbilic_certificate_destroy(another);

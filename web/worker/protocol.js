@@ -6,7 +6,7 @@
  */
 
 /** @import {CageReport, CertificateReport, ConstraintsReport, Energies, FaceGroup, Group, LevelReport} from '../../wasm/types.js' */
-/** @import {Limit, Mesh, Problem, Progress, Report, StopReason} from '../../wasm/types.js' */
+/** @import {Limit, Mesh, Problem, Progress, Report, StopReason, Targets} from '../../wasm/types.js' */
 
 /**
  * Begins the run of a problem (also given as the text of a problem or report file) and shows its surface. Answers
@@ -27,6 +27,10 @@
  *
  * Does one energy evaluation. Answers `paused`.
  * @typedef {{type: 'step', run: number}} Step
+ * Changes weights, pins' targets or the pull of a run that has taken steps. One that is paused stays so, any other goes on.
+ * Of several that arrive between two steps the last one counts. Answers `retargeted` and what follows from going on; or
+ * `failed`, and the run goes on as it was.
+ * @typedef {{type: 'retarget', run: number, targets: Targets}} Retarget
  * @typedef {{type: 'pause', run: number}} Pause
  * @typedef {{type: 'cancel', run: number}} Cancel
  *
@@ -46,7 +50,7 @@
  *
  * Asks for the answer `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Detail | Expect | Optimize | Step | Pause | Cancel | Export | Certify | AbandonCertificate | Deviate | Ping} Command
+ * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | AbandonCertificate | Deviate | Ping} Command
  */
 
 /** @typedef {'control' | 'limit' | 'report' | 'problem'} Exportable */
@@ -86,6 +90,9 @@
  *
  * `limit` is the limit of the levels so far.
  * @typedef {{type: 'levelEnded', run: number, report: LevelReport, limit: Limit}} LevelEnded
+ *
+ * From here on everything is about the new targets; evaluations and levels count anew. `runs`: whether the run goes on.
+ * @typedef {{type: 'retargeted', run: number, runs: boolean}} Retargeted
  * @typedef {{type: 'paused', run: number, progress: Progress}} Paused
  * @typedef {{type: 'ended', run: number, stop: StopReason, progress: Progress}} Ended
  *
@@ -102,7 +109,7 @@
  *
  * `input`: something is wrong with the user's file or options. `internal`: the worker can no longer be used.
  * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
- * @typedef {Started | Opened | Surfaced | Measured | Constrained | Stepped | LevelEnded | Paused | Ended | Saved | Exported |
+ * @typedef {Started | Opened | Surfaced | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved | Exported |
  *   CertificateAdvanced | Certified | CertificateAbandoned | Ponged | Failed} Message
  */
 

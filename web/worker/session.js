@@ -12,6 +12,7 @@ import { createPreparing } from './preparing.js';
 import { createTelling } from './telling.js';
 
 /** @import {Cage, Minimizer, parseReport} from '../../wasm/umbilic.js' */
+/** @import {Targets} from '../../wasm/types.js' */
 /** @import {Command, Exportable, Message, Open} from './protocol.js' */
 
 /**
@@ -38,6 +39,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   let coarse = false;
   /** Whether the surface may be minimized; a minimizer from the catalog is only viewed. */
   let startable = false;
+  /** Those that have arrived since the last step. @type {Targets | null} */
+  let targets = null;
   /** @param {() => void} task fails as the work of the run that is open then */
   const later = (task) => yieldThen(() => guard(run, task));
   const pacing = createPacing({ yieldThen: later, now });
@@ -59,6 +62,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     minimizer = opened;
     run = command.run;
     pacing.rest();
+    targets = null;
     introducing = true;
     coarse = command.look ?? false;
     startable = !coarse;
@@ -94,7 +98,29 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     preparing.ahead(mine, telling.patches(), () => minimizer === mine && pacing.pace === 'resting', rested);
   }
 
+  /** Takes the targets that have arrived. */
+  function retarget() {
+    const asked = targets;
+    targets = null;
+    if (!asked) return;
+    guard(run, () => {
+      current().retarget(asked);
+      telling.retargeted(pacing.pace !== 'resting');
+    });
+  }
+
+  /** @param {Targets} asked */
+  function follow(asked) {
+    certification.drop();
+    targets = asked;
+    const paused = pacing.pace === 'resting' && current().progress.phase !== 'done';
+    if (!paused) return go('running');
+    retarget();
+    tellRest();
+  }
+
   function advance() {
+    retarget();
     const before = current().progress.total_evaluations;
     const done = pacing.timed(() => current().step(1));
     const evaluated = current().progress.total_evaluations > before;
@@ -167,6 +193,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
         return go('running');
       case 'step':
         return go('stepping');
+      case 'retarget':
+        return follow(command.targets);
       case 'pause':
         return rest();
       case 'cancel':

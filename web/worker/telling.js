@@ -172,6 +172,15 @@ export function createTelling({ core, post, now }) {
       occasions.step.postpone();
     },
 
+    /** What was told of the run no longer holds, but for its meshes' topology. @param {boolean} runs */
+    retargeted(runs) {
+      const { level, patches } = told.surface;
+      told = { ...nothingTold(), surface: { level, patches, energy: NaN } };
+      samples = [];
+      slowLevel = -1;
+      post({ type: 'retargeted', run, runs });
+    },
+
     /** Tells no surface before another interval has passed. */
     postpone: () => occasions.surface.postpone(),
 

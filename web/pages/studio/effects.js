@@ -63,6 +63,8 @@ export function createEffects({ client, save, load, setAddress }) {
     const { run, wanted } = after.session;
     if (wanted && (tried || wanted !== before?.session.wanted)) load(wanted);
     if (!action || !before) return;
+    const { targets } = after.session;
+    if (targets && targets !== before.session.targets) client.send({ type: 'retarget', run, targets });
     const [was, is] = [before.session.phase, after.session.phase];
     switch (action.type) {
       case 'startPressed':

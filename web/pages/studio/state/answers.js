@@ -4,6 +4,7 @@
  * nothing.
  */
 import { SAMPLE_SIZE, withTopology } from '../../../worker/protocol.js';
+import { afterRetargeted } from './following.js';
 import { afterFailed, afterOpened } from './opened.js';
 import { certifyingOf, phases, withResult, withSession, withView } from './parts.js';
 
@@ -65,6 +66,8 @@ function afterRunMessage(state, message) {
       const limit = session.before !== null && message.limit.status === 'too_few_levels' ? result.limit : null;
       return withResult(state, { levels: [...others, message.report], limit: limit ?? message.limit });
     }
+    case 'retargeted':
+      return afterRetargeted(state, message);
     case 'paused':
       return withSession(withResult(state, { progress: message.progress }), {
         phase: { name: 'paused', asked: null },

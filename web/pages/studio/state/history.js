@@ -47,6 +47,8 @@ function withStep(state, step) {
  */
 export function remembered(before, after, action) {
   if (action.type === 'paintingEnded') return withStrokeEnded(after);
+  const moving = action.type === 'weightChanged' && action.moving;
+  if (action.type === 'weightChanged' && !moving && isStroke(before.history.past.at(-1))) return withStrokeEnded(after);
   if (after === before || action.type === 'undoPressed' || action.type === 'redoPressed') return after;
   const replaced = replacement(before, after);
   if (replaced) return withStep(after, replaced);
@@ -62,7 +64,7 @@ export function remembered(before, after, action) {
     return withStep(after, { name, document: before.document, phase });
   }
   if (asksTheSame(before.document, after.document)) return after;
-  const stroke = action.type === 'facesPainted';
+  const stroke = action.type === 'facesPainted' || moving;
   if (stroke && isStroke(before.history.past.at(-1))) return after;
   return withStep(after, { name, asked: askedIn(before.document), ...(stroke && { stroke }) });
 }
@@ -91,7 +93,7 @@ function replacement(before, after) {
   return starts ? { name: 'minimize', document: before.document, phase } : null;
 }
 
-/** The next stroke of the brush is another step. @param {State} state @returns {State} */
+/** The next stroke of the brush, or of a slider, is another step. @param {State} state @returns {State} */
 function withStrokeEnded(state) {
   const last = state.history.past.at(-1);
   if (!last || !isStroke(last)) return state;
@@ -107,7 +109,7 @@ function withoutVain(before, after) {
   return { ...after, history: { ...after.history, past: after.history.past.slice(0, -1) } };
 }
 
-/** Whether a step is one of the brush, which is still down. @param {Step | undefined} step @returns {step is Step & {asked: Asked}} */
+/** Whether a step is one of a brush or a slider that is still held. @param {Step | undefined} step @returns {step is Step & {asked: Asked}} */
 const isStroke = (step) => Boolean(step && 'asked' in step && step.stroke);
 
 /** Whether something is being opened that a step back would have to wait for. @param {State} state */

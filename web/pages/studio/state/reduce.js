@@ -9,6 +9,7 @@ import { openEntry, openWithout } from './entry.js';
 import { noHistory, redone, remembered, undone } from './history.js';
 import { afterHold, holdIsUsable, holdsTheSame, keptOf } from './hold.js';
 import { afterLoss } from './lost.js';
+import { canFollow, followed } from './following.js';
 import { beginOpening, firstGenerator, openGenerated, openPreview } from './opening.js';
 import {
   askedOf,
@@ -53,6 +54,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       before: null,
       opening: null,
       wanted,
+      targets: null,
       exporting: false,
       refused: null,
       version: '',
@@ -161,7 +163,7 @@ function cancel(state) {
  * @returns {State}
  */
 export function reduce(state, action) {
-  return remembered(state, changed(state, action), action);
+  return followed(remembered(state, changed(state, action), action), action);
 }
 
 /**
@@ -185,6 +187,7 @@ function changed(state, action) {
     }
     case 'weightChanged': {
       const weights = { ...document.settings.weights, [action.functional]: action.weight };
+      if (canFollow(state)) return withSettings(state, { weights });
       return changed(state, { type: 'settingsChanged', change: { weights } });
     }
     case 'facesPainted':

@@ -5,7 +5,7 @@
 
 /** @import {BoundaryCondition, CageReport, CapName, CertificateReport, Constraints, ConstraintsReport, Energies} from '../../../../wasm/types.js' */
 /** @import {FaceGroup, Fill, FunctionalName} from '../../../../wasm/types.js' */
-/** @import {GeneratedCage, Group, LevelReport, Limit, Mesh, Progress, Report, StopReason, SurfaceState} from '../../../../wasm/types.js' */
+/** @import {GeneratedCage, Group, LevelReport, Limit, Mesh, Progress, Report, StopReason, SurfaceState, Targets} from '../../../../wasm/types.js' */
 /** @import {Camera} from '../../../address/camera.js' */
 /** @import {EntryName} from '../../../address/compare.js' */
 /** @import {Shading} from '../../../colour/quantities.js' */
@@ -151,6 +151,7 @@
  *   count; null if the run began anew
  * @property {Opening | null} opening beside whatever the phase is
  * @property {EntryName | null} wanted a catalog entry that is being loaded
+ * @property {Targets | null} targets what the run was last told to follow
  * @property {boolean} exporting
  * @property {Refusal | null} refused
  * @property {string} version version of the core
@@ -178,7 +179,7 @@
 
 /**
  * A step of the history, with what is on its other side: only what is asked, or the whole document with the phase in which
- * it was. `stroke`: the brush is still down.
+ * it was. `stroke`: the brush is still down, or the slider of a weight still held.
  * @typedef {{name: string, asked: Asked, stroke?: boolean} | {name: string, document: Document, phase: Phase['name']}} Step
  *
  * The steps that can be undone, and those that can be redone, the next one last.
@@ -204,11 +205,12 @@
  */
 
 /**
+ * `moving`: the hand still holds the slider.
  * @typedef {HoldAction | {type: 'generatorChanged', change: Partial<Generator>}
  *   | {type: 'fileChosen', name: string, text: Uint8Array}
  *   | {type: 'fileRefused', name: string, message: string}
  *   | {type: 'settingsChanged', change: Partial<Settings>}
- *   | {type: 'weightChanged', functional: FunctionalName, weight: number}
+ *   | {type: 'weightChanged', functional: FunctionalName, weight: number, moving?: boolean}
  *   | {type: 'startPressed'} | {type: 'pausePressed'} | {type: 'stepPressed'} | {type: 'cancelPressed'} | {type:
  * 'resetPressed'}
  *   | {type: 'certifyPressed'} | {type: 'certificateCancelPressed'}

@@ -3,6 +3,7 @@
  * @file The panel for what is minimized and how: functional or blend, cap, symmetry, levels, tolerance, and where the
  * next run starts.
  */
+import { canFollow } from '../state/following.js';
 import { canStartFromSurface, settingsAreFree } from '../state/reduce.js';
 import { ACCURACIES, MAX_LEVEL, problemWith } from '../state/settings.js';
 import { caps, functionals } from '../../../words/functionals.js';
@@ -57,7 +58,7 @@ export function createObjectiveView(root, dispatch) {
   const last = /** @type {HTMLSelectElement} */ (field('last'));
   const tolerance = /** @type {HTMLInputElement} */ (field('tolerance'));
   const maxIterations = /** @type {HTMLInputElement} */ (field('max-iterations'));
-  const fields = /** @type {HTMLFieldSetElement} */ (find(root, '#settings-fields'));
+  const fields = /** @type {HTMLFieldSetElement[]} */ ([find(root, '#settings-fields'), find(root, '#more-settings')]);
   const weights = find(root, '#weights');
   const origin = find(root, '#origin');
   const problem = find(root, '#settings-problem');
@@ -76,9 +77,22 @@ export function createObjectiveView(root, dispatch) {
   const weightInputs = new Map(
     functionals.map(({ id, name, formula }) => {
       const input = element('input', { type: 'number', min: '0', step: 'any', name: `weight-${id}` });
-      weights.append(element('label', { class: 'line', title: formula }, element('span', {}, name), input));
-      onChange(input, () => dispatch({ type: 'weightChanged', functional: id, weight: input.valueAsNumber }));
-      return /** @type {[FunctionalName, HTMLInputElement]} */ ([id, input]);
+      const slider = element('input', {
+        type: 'range',
+        min: '0',
+        max: '1',
+        step: '0.01',
+        name: `slide-${id}`,
+        'aria-label': `Weight of ${name}`,
+      });
+      weights.append(element('label', { class: 'line', title: formula }, element('span', {}, name), input), slider);
+      /** @param {HTMLInputElement} from @param {boolean} moving */
+      const weigh = (from, moving) =>
+        dispatch({ type: 'weightChanged', functional: id, weight: from.valueAsNumber, moving });
+      onChange(input, () => weigh(input, false));
+      onChange(slider, () => weigh(slider, false));
+      slider.addEventListener('input', () => weigh(slider, true), { signal });
+      return /** @type {[FunctionalName, HTMLInputElement[]]} */ ([id, [input, slider]]);
     }),
   );
 
@@ -113,8 +127,10 @@ export function createObjectiveView(root, dispatch) {
     functional.value = settings.functional;
     find(root, '#functional-words').replaceChildren(...functionalNote(settings.functional));
     weights.hidden = settings.functional !== 'blend';
-    for (const [id, input] of weightInputs) {
-      if (input.valueAsNumber !== settings.weights[id]) input.value = String(settings.weights[id]);
+    for (const [id, inputs] of weightInputs) {
+      for (const input of inputs) {
+        if (input.valueAsNumber !== settings.weights[id]) input.value = String(settings.weights[id]);
+      }
     }
     for (const input of capInputs) input.checked = input.value === settings.cap;
     setText(find(root, '#cap-words'), caps.find(({ id }) => id === settings.cap)?.meaning ?? '');
@@ -145,7 +161,9 @@ export function createObjectiveView(root, dispatch) {
         state.document.result.settings.symmetry ? state.document.result.group : null,
         state.document.settings.symmetry,
       );
-      fields.disabled = !settingsAreFree(state);
+      for (const part of fields) part.disabled = !settingsAreFree(state);
+      for (const input of [...weightInputs.values()].flat())
+        input.disabled = !settingsAreFree(state) && !canFollow(state);
       origin.hidden = !canStartFromSurface(state);
     },
     dispose: () => listening.abort(),
