@@ -41,7 +41,11 @@ test('follows the slider of a weight while it runs, and prints how soon', async 
           .map(({ name }) => name);
         return since.lastIndexOf('surfaced') > since.indexOf('retargeted') && since.includes('retargeted');
       };
-      while (!follows()) await new Promise((resolve) => setTimeout(resolve, 1));
+      while (!follows()) {
+        await new Promise((resolve) => {
+          setTimeout(resolve, 1);
+        });
+      }
       times.push(performance.now() - start);
     }
     input.dispatchEvent(new Event('change', { bubbles: true }));

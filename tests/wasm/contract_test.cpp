@@ -2,6 +2,7 @@
 /// \file
 /// The C contract in wrong hands: null pointers, numbers out of range, texts that are none, memory that runs out at
 /// every allocation in turn, threads. Each call answers with a status; the sanitizers see the rest.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
