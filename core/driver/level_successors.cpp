@@ -69,6 +69,7 @@ std::unique_ptr<Level> Level::with_thicker_start() const {
 void Level::take_metric(std::unique_ptr<Level> from) {
   const bool has_metric = from->metric_ && (from->lbfgs_ || from->building_);
   if (!has_metric || from->metric_choice_ == MetricChoice::kIdentity) return;
+  if (from->unknowns_.count() != unknowns_.count()) return;  // less symmetry is left
   if (solutions_ && !same(solutions_->basis(), from->solutions_->basis())) {
     // Newly mapped from the unknowns of the level that made the metric, which may be an earlier one.
     const Level& maker = from->metric_owner_ ? *from->metric_owner_ : *from;

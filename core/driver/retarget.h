@@ -9,9 +9,10 @@
 namespace umbilic {
 
 /// `surface`, refined from `cage` at level 0, with the pins and the pull that `targets` give; `changed` are the
-/// constraints after set_targets. Its control points stay: they no longer fulfil the equations. Fails where the
-/// targets contradict one another or do not keep the symmetry of `cage`, and as `hold` (driver/pin_rows.h).
-Result<RefinedCage> with_targets(RefinedCage surface, const RefinedCage& cage, const Targets& targets,
+/// constraints after set_targets. Its control points stay: they no longer fulfil the equations. Both keep that part of
+/// their symmetry which the targets have. Fails where the targets contradict one another, and as `hold`
+/// (driver/pin_rows.h); `cage` then stays as it is.
+Result<RefinedCage> with_targets(RefinedCage surface, RefinedCage& cage, const Targets& targets,
                                  const Constraints& changed, CapKind cap);
 
 }  // namespace umbilic

@@ -49,7 +49,7 @@ struct Run::State {
 
   RunOptions options;
   Constraints constraints;
-  const RefinedCage cage;             // at level 0
+  RefinedCage cage;                   // at level 0
   int required_level = 0;             // the first level that can be evaluated
   std::vector<int> cage_numbers;      // of each face of the surface, from which holes are left out, in the cage
   std::vector<int> faces_of_corners;  // of the surface of the cage: the face of each half-edge, as in the cage

@@ -53,8 +53,8 @@ class Run {
   /// limit and the best surface are those since then. The next steps find where the surface goes to first order with
   /// the metric that is there, before one is built anew.
   ///
-  /// If the targets do not fit the problem, contradict one another, or do not keep the symmetry that the run keeps, the
-  /// run stays as it is.
+  /// Of its symmetry the run keeps what the targets have. If they do not fit the problem, or contradict one another,
+  /// the run stays as it is.
   std::optional<Error> retarget(const Targets& targets);
 
   /// Ends the run at once. Its result is what has been computed so far. The stop reason of the current level is

@@ -91,8 +91,9 @@
  * `limit` is the limit of the levels so far.
  * @typedef {{type: 'levelEnded', run: number, report: LevelReport, limit: Limit}} LevelEnded
  *
- * From here on everything is about the new targets; evaluations and levels count anew. `runs`: whether the run goes on.
- * @typedef {{type: 'retargeted', run: number, runs: boolean}} Retargeted
+ * From here on everything is about the new targets; evaluations and levels count anew. `runs`: whether the run goes on. `group`:
+ * the symmetry that is left.
+ * @typedef {{type: 'retargeted', run: number, runs: boolean, group: Group}} Retargeted
  * @typedef {{type: 'paused', run: number, progress: Progress}} Paused
  * @typedef {{type: 'ended', run: number, stop: StopReason, progress: Progress}} Ended
  *

@@ -178,7 +178,7 @@ export function createTelling({ core, post, now }) {
       told = { ...nothingTold(), surface: { level, patches, energy: NaN } };
       samples = [];
       slowLevel = -1;
-      post({ type: 'retargeted', run, runs });
+      post({ type: 'retargeted', run, runs, group: current().group });
     },
 
     /** Tells no surface before another interval has passed. */

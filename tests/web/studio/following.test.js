@@ -101,3 +101,31 @@ test('is not asked where nothing weighs, or where the run minimizes one function
   expect(single.state.session.targets).toBeNull();
   expect(single.state.document.result).toBe(result);
 });
+
+test('leads a pin to where its fields say, of a run of any functional; undo does not know where it lay at first', () => {
+  const studio = createStudio('?shape=torus');
+  studio.do(
+    { type: 'settingsChanged', change: { functional: 'bending', levels: [0, 0] } },
+    { type: 'vertexPinned', vertex: 1 },
+    { type: 'vertexPinned', vertex: 25 },
+    start,
+  );
+  const place = () => studio.state.document.result.constrained?.pins[0].position ?? [];
+  const [x, y, z] = place();
+  /** @param {number} up @param {boolean} moving @returns {Action} */
+  const move = (up, moving) => ({ type: 'pinMoved', index: 0, at: [x + up, y, z], moving });
+  studio.dispatch(move(0.05, true));
+  studio.dispatch(move(0.1, true));
+  studio.do(move(0.1, false));
+  expect(leaves(studio.state)).toMatchObject({ status: 'ended', stop: 'converged' });
+  expect(place()[0]).toBeCloseTo(x + 0.1, 9);
+  expect(undoName(studio.state)).toBe('move a pin');
+  studio.do(move(0.2, false));
+  expect(place()[0]).toBeCloseTo(x + 0.2, 9);
+  studio.do(undo);
+  expect(place()[0]).toBeCloseTo(x + 0.1, 9);
+  const { targets } = studio.state.session;
+  studio.do(undo);
+  expect(studio.state.session.targets).toBe(targets);
+  expect(studio.state.document.settings.constraints.pins).toEqual([{ vertex: 1 }, { vertex: 25 }]);
+});

@@ -1,23 +1,65 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How a run follows what is asked while the hand still moves: where only the weights of a blend differ from those of the
- * run, it goes on with the new ones. Pure.
+ * @file How a run follows what is asked while the hand still moves: where only the weights of a blend or the
+ * places of pins differ from those of the run, it goes on with the new ones. Pure.
  */
 import { askedOf, withResult, withSession } from './parts.js';
 import { activeWeights, problemWith } from './settings.js';
 
 /** @import {Retargeted} from '../../../worker/protocol.js' */
+/** @import {Targets} from '../../../../wasm/types.js' */
 /** @import {Action, Settings, State} from './types.js' */
 
-/** Whether the worker has a run that can take other weights. @param {State} state */
-export function canFollow({ session: { phase, opening }, document: { settings, result } }) {
+/** Whether the worker has a run that can take other targets. @param {State} state */
+function isOpen({ session: { phase, opening }, document: { result } }) {
   const taken = phase.name === 'running' || phase.name === 'paused' || phase.name === 'ended';
-  const blends = settings.functional === 'blend' && result.settings.functional === 'blend';
-  return taken && blends && !askedOf(phase) && !opening && !result.catalogs;
+  return taken && !askedOf(phase) && !opening && !result.catalogs;
 }
 
-/** @param {Settings} one @param {Settings} other */
-const weighsTheSame = (one, other) => JSON.stringify(activeWeights(one)) === JSON.stringify(activeWeights(other));
+/** @param {Settings} settings */
+const blends = ({ functional }) => functional === 'blend';
+
+/** Whether a run goes on that can take other weights. @param {State} state */
+export const takesWeights = (state) =>
+  isOpen(state) && blends(state.document.settings) && blends(state.document.result.settings);
+
+/** What is held, but for where the pins lie. @param {Settings} settings */
+function heldBeside({ constraints, fill }) {
+  const pins = constraints.pins?.map(({ at, ...pin }) => ({
+    ...pin,
+    free: at?.map((x) => !Number.isFinite(x)) ?? null,
+  }));
+  // A pin that lies where the surface is holds all coordinates.
+  return JSON.stringify({ ...constraints, fill, pins }).replaceAll('"free":null', '"free":[false,false,false]');
+}
+
+/** @param {unknown} one @param {unknown} other */
+const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
+
+/**
+ * What a run has to be told so that it does what is asked; null if it does, or if that takes a new run.
+ * @param {Settings} asked
+ * @param {Settings} run the settings of the run
+ * @returns {Targets | null}
+ */
+export function targetsBetween(asked, run) {
+  const [terms, before] = [asked, run].map(activeWeights);
+  const pins = asked.constraints.pins ?? [];
+  const places = pins.map(({ at }) => (at ? { at } : {}));
+  const moved = !same(
+    places,
+    (run.constraints.pins ?? []).map(({ at }) => (at ? { at } : {})),
+  );
+  const weighed = !same(terms, before);
+  if (!moved && !weighed) return null;
+  if (weighed && !(blends(asked) && blends(run))) return null;
+  // Where a pin lies that is asked to be where the surface was, only a new run knows.
+  const unknown = pins.some(({ at }, i) => !at && run.constraints.pins?.[i]?.at);
+  if (heldBeside(asked) !== heldBeside(run) || unknown) return null;
+  return { ...(weighed && { terms }), ...(moved && { pins: places }) };
+}
+
+const followedActions = new Set(['weightChanged', 'pinMoved', 'undoPressed', 'redoPressed']);
 
 /**
  * The state in which the run is told what an action has changed, if it can follow.
@@ -26,10 +68,10 @@ const weighsTheSame = (one, other) => JSON.stringify(activeWeights(one)) === JSO
  * @returns {State}
  */
 export function followed(state, action) {
-  const weighs = action.type === 'weightChanged' || action.type === 'undoPressed' || action.type === 'redoPressed';
   const { settings, result } = state.document;
-  if (!weighs || !canFollow(state) || problemWith(settings) || weighsTheSame(settings, result.settings)) return state;
-  return withSession(state, { targets: { terms: activeWeights(settings) } });
+  if (!followedActions.has(action.type) || !isOpen(state) || problemWith(settings)) return state;
+  const targets = targetsBetween(settings, result.settings);
+  return targets ? withSession(state, { targets }) : state;
 }
 
 /**
@@ -38,10 +80,11 @@ export function followed(state, action) {
  * @param {Retargeted} message
  * @returns {State}
  */
-export function afterRetargeted(state, { runs }) {
+export function afterRetargeted(state, { runs, group }) {
   const { settings, result } = state.document;
   const fresh = withResult(state, {
-    settings: { ...result.settings, weights: settings.weights },
+    settings: { ...result.settings, weights: settings.weights, constraints: settings.constraints },
+    group,
     progress: null,
     stop: null,
     samples: [],

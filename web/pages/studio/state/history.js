@@ -47,8 +47,9 @@ function withStep(state, step) {
  */
 export function remembered(before, after, action) {
   if (action.type === 'paintingEnded') return withStrokeEnded(after);
-  const moving = action.type === 'weightChanged' && action.moving;
-  if (action.type === 'weightChanged' && !moving && isStroke(before.history.past.at(-1))) return withStrokeEnded(after);
+  const slides = action.type === 'weightChanged' || action.type === 'pinMoved';
+  const moving = slides && action.moving;
+  if (slides && !moving && isStroke(before.history.past.at(-1))) return withStrokeEnded(after);
   if (after === before || action.type === 'undoPressed' || action.type === 'redoPressed') return after;
   const replaced = replacement(before, after);
   if (replaced) return withStep(after, replaced);

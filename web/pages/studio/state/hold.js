@@ -205,6 +205,11 @@ function changed(state, action) {
       const left = pins.filter((_, i) => i !== action.index);
       return withConstraints(left.length ? { ...rest, pins: left } : rest);
     }
+    case 'pinMoved': {
+      const { pins = [] } = constraints;
+      const moved = pins.map((pin, i) => (i === action.index ? { ...pin, at: action.at } : pin));
+      return withConstraints({ ...constraints, pins: moved });
+    }
     case 'conditionChosen':
       return withConstraints(withCondition(constraints, action.boundary, action.condition));
     case 'fillPressed': {

@@ -9,7 +9,7 @@ import { openEntry, openWithout } from './entry.js';
 import { noHistory, redone, remembered, undone } from './history.js';
 import { afterHold, holdIsUsable, holdsTheSame, keptOf } from './hold.js';
 import { afterLoss } from './lost.js';
-import { canFollow, followed } from './following.js';
+import { followed, takesWeights } from './following.js';
 import { beginOpening, firstGenerator, openGenerated, openPreview } from './opening.js';
 import {
   askedOf,
@@ -187,7 +187,7 @@ function changed(state, action) {
     }
     case 'weightChanged': {
       const weights = { ...document.settings.weights, [action.functional]: action.weight };
-      if (canFollow(state)) return withSettings(state, { weights });
+      if (takesWeights(state)) return withSettings(state, { weights });
       return changed(state, { type: 'settingsChanged', change: { weights } });
     }
     case 'facesPainted':
@@ -196,6 +196,7 @@ function changed(state, action) {
     case 'holdEdited':
     case 'vertexPinned':
     case 'pinRemoved':
+    case 'pinMoved':
     case 'conditionChosen':
     case 'fillPressed':
     case 'closenessChanged':

@@ -192,13 +192,14 @@
 
 /**
  * Changes of what is held. `boundary` is a number from 1, or null for all. Faces are numbered from 0, as in meshes, vertices from 1. A stroke of the brush is many
- * `facesPainted` and an end.
+ * `facesPainted` and an end. `moving`: the hand still moves.
  * @typedef {{type: 'facesPainted', faces: number[], held: boolean}
  *   | {type: 'paintingEnded'}
  *   | {type: 'groupHeld', name: string, held: boolean}
  *   | {type: 'holdEdited', how: 'all' | 'invert' | 'grow' | 'clear'}
  *   | {type: 'vertexPinned', vertex: number}
  *   | {type: 'pinRemoved', index: number}
+ *   | {type: 'pinMoved', index: number, at: [number, number, number], moving?: boolean}
  *   | {type: 'conditionChosen', boundary: number | null, condition: BoundaryCondition}
  *   | {type: 'fillPressed', boundary: number | null, filled: boolean}
  *   | {type: 'closenessChanged', closeness: Closeness | null}} HoldAction

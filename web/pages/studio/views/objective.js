@@ -3,7 +3,7 @@
  * @file The panel for what is minimized and how: functional or blend, cap, symmetry, levels, tolerance, and where the
  * next run starts.
  */
-import { canFollow } from '../state/following.js';
+import { takesWeights } from '../state/following.js';
 import { canStartFromSurface, settingsAreFree } from '../state/reduce.js';
 import { ACCURACIES, MAX_LEVEL, problemWith } from '../state/settings.js';
 import { caps, functionals } from '../../../words/functionals.js';
@@ -163,7 +163,7 @@ export function createObjectiveView(root, dispatch) {
       );
       for (const part of fields) part.disabled = !settingsAreFree(state);
       for (const input of [...weightInputs.values()].flat())
-        input.disabled = !settingsAreFree(state) && !canFollow(state);
+        input.disabled = !settingsAreFree(state) && !takesWeights(state);
       origin.hidden = !canStartFromSurface(state);
     },
     dispose: () => listening.abort(),

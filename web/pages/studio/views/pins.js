@@ -1,20 +1,33 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The list of pins, the field that pins a vertex by its number, and, after a run, how strongly pins and held regions
+ * @file The list of pins, the field that pins a vertex by its number, and, after a run, how strongly held regions
  * pull.
  */
 import { holdsTheSame } from '../state/hold.js';
-import { pinWords, pullWords, regionWords } from '../../../words/holding.js';
+import { pullWords, regionWords } from '../../../words/holding.js';
+import { createPinRows } from './pin_rows.js';
 import { createLines, element, find, setText, whenChanged } from '../../../views/dom.js';
 
 /** @import {Constraints, ConstraintsReport, Pull} from '../../../../wasm/types.js' */
 /** @import {Action, OpenCage, State} from '../state/types.js' */
 
-/** @param {Pull | undefined} pull @returns {Node[]} */
+/** @param {Pull} pull */
 function strength(pull) {
-  if (!pull) return [];
   const { value, direction } = pullWords(pull);
-  return [element('span', { class: 'pull', title: direction }, value)];
+  return element('span', { class: 'pull', title: direction }, value);
+}
+
+/** The longest side of the surface's box; 0 if there is none. @param {State['view']['surface']} surface */
+function sizeOf(surface) {
+  if (!surface) return 0;
+  const { positions } = surface.control;
+  const low = [Infinity, Infinity, Infinity];
+  const high = low.map((x) => -x);
+  for (let i = 0; i < positions.length; i++) {
+    low[i % 3] = Math.min(low[i % 3], positions[i]);
+    high[i % 3] = Math.max(high[i % 3], positions[i]);
+  }
+  return Math.max(...high.map((x, c) => x - low[c]));
 }
 
 /**
@@ -30,6 +43,7 @@ export function createPinsView(root, dispatch) {
   const regionList = find(root, '#regions');
   const words = find(root, '#pull-words');
   const said = find(root, '#hold-said');
+  const showPins = createPinRows(list, dispatch, signal);
   const showNotes = createLines(find(root, '#constraint-notes'));
 
   form.addEventListener(
@@ -47,34 +61,21 @@ export function createPinsView(root, dispatch) {
       /** @type {Constraints} */ { pins = [] },
       /** @type {ConstraintsReport | null} */ report,
       /** @type {OpenCage | null} */ cage,
+      /** @type {State['view']['surface']} */ surface,
     ) => {
       const focused = [...list.querySelectorAll('button')].findIndex((button) => button === document.activeElement);
-      list.hidden = !pins.length;
-      list.replaceChildren(
-        ...pins.map((pin, index) => {
-          const name = pinWords(pin);
-          const remove = element(
-            'button',
-            { type: 'button', class: 'quiet', 'aria-label': `Remove the pin: ${name}` },
-            '✕',
-          );
-          remove.addEventListener('click', () => dispatch({ type: 'pinRemoved', index }), { signal });
-          const pull = report?.pins.find((one) => one.pin === index + 1);
-          const text = element('span', { class: 'name' }, name);
-          return element('li', {}, element('span', { class: 'dot' }), text, ...strength(pull), remove);
-        }),
-      );
-      // The button that had the focus is gone.
+      showPins(pins, report?.pins ?? [], sizeOf(surface));
+      // The button that had the focus may be gone.
       const buttons = list.querySelectorAll('button');
       const next = buttons[Math.min(focused, buttons.length - 1)] ?? document.querySelector('#pointer input:checked');
-      if (focused >= 0 && next instanceof HTMLElement) next.focus();
+      if (focused >= 0 && next instanceof HTMLElement && next !== document.activeElement) next.focus();
 
       const regions = report?.regions ?? [];
       regionList.hidden = !regions.length;
       regionList.replaceChildren(
         ...regions.map((region) => {
           const name = element('span', { class: 'name' }, regionWords(region, cage?.groups ?? []));
-          return element('li', {}, element('span', { class: 'square' }), name, ...strength(region));
+          return element('li', {}, element('span', { class: 'square' }), name, strength(region));
         }),
       );
       words.hidden = ![report?.regions, report?.pins, report?.boundaries].some((pulls) => pulls?.length);
@@ -86,9 +87,15 @@ export function createPinsView(root, dispatch) {
   return {
     /** @param {State} state */
     update({ document: { settings, cage, result }, view }) {
+      const pinned = Boolean(settings.constraints.pins?.length);
       form.hidden = view.pointer !== 'pin';
       // What has been changed since pulls as nobody knows.
-      show(settings.constraints, holdsTheSame(settings, result.settings) ? result.constrained : null, cage);
+      show(
+        settings.constraints,
+        holdsTheSame(settings, result.settings) ? result.constrained : null,
+        cage,
+        pinned ? view.surface : null,
+      );
       setText(said, view.said);
     },
     dispose: () => listening.abort(),

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The rows of the list of pins: what each holds, how strongly it pulls, and where it lies, in fields that move it.
+ */
+import { pinWords, pullWords } from '../../../words/holding.js';
+import { element, setText } from '../../../views/dom.js';
+
+/** @import {Pin, PinReport} from '../../../../wasm/types.js' */
+/** @import {Action} from '../state/types.js' */
+
+/** @typedef {{item: HTMLElement, update: (pin: Pin, report: PinReport | undefined, step: number) => void}} PinRow */
+
+/** What a row depends on; another pin has another row. @param {Pin} pin */
+const keyOf = ({ at, ...rest }) => JSON.stringify({ ...rest, free: at?.map((x) => !Number.isFinite(x)) });
+
+/**
+ * @param {Pin} first the pin
+ * @param {number} index among all pins
+ * @param {(action: Action) => void} dispatch
+ * @param {AbortSignal} signal
+ * @returns {PinRow}
+ */
+function createPinRow(first, index, dispatch, signal) {
+  const name = element('span', { class: 'name' });
+  const strength = element('span', { class: 'pull' });
+  const remove = element('button', { type: 'button', class: 'quiet' }, '✕');
+  remove.addEventListener('click', () => dispatch({ type: 'pinRemoved', index }), { signal });
+  /** Where the point is, exactly; the fields may show fewer digits. @type {[number, number, number] | null} */
+  let place = null;
+
+  const inputs = ['x', 'y', 'z'].map((axis, c) => {
+    const input = element('input', { type: 'number', step: 'any', 'aria-label': `${axis} of ${pinWords(first)}` });
+    /** @param {boolean} moving */
+    const move = (moving) => {
+      if (!place || !Number.isFinite(input.valueAsNumber)) return;
+      const at = /** @type {[number, number, number]} */ (place.map((x, i) => (i === c ? input.valueAsNumber : x)));
+      dispatch({ type: 'pinMoved', index, at, moving });
+    };
+    input.addEventListener('input', () => move(true), { signal });
+    input.addEventListener('change', () => move(false), { signal });
+    return input;
+  });
+  const labels = inputs.map((input, c) => element('label', {}, element('span', {}, 'xyz'[c]), input));
+  const fields = element('span', { class: 'places', role: 'group' }, ...labels);
+  const item = element('li', {}, element('span', { class: 'dot' }), name, strength, remove, fields);
+
+  /** @param {Pin} pin @param {PinReport | undefined} report */
+  function showPlace(pin, report) {
+    const known = pin.at?.map((x, c) => (Number.isFinite(x) ? x : NaN)) ?? report?.position;
+    place = known && pin.position !== false ? [known[0], known[1], known[2]] : null;
+    fields.hidden = !place;
+    inputs.forEach((input, c) => {
+      const value = place?.[c] ?? NaN;
+      labels[c].hidden = !Number.isFinite(value);
+      const words = String(Number(value.toPrecision(6)));
+      if (Number(input.value) !== value && input.value !== words) input.value = words;
+    });
+  }
+
+  return {
+    item,
+    update(pin, report, step) {
+      const words = pinWords(pin);
+      setText(name, words);
+      remove.setAttribute('aria-label', `Remove the pin: ${words}`);
+      strength.hidden = !report;
+      if (report) {
+        const { value, direction } = pullWords(report);
+        setText(strength, value);
+        strength.title = direction;
+      }
+      fields.setAttribute('aria-label', `Where ${words} lies`);
+      for (const input of inputs) input.step = String(step);
+      showPlace(pin, report);
+    },
+  };
+}
+
+/**
+ * @param {HTMLElement} list
+ * @param {(action: Action) => void} dispatch
+ * @param {AbortSignal} signal
+ */
+export function createPinRows(list, dispatch, signal) {
+  /** @type {PinRow[]} */
+  let rows = [];
+  let keys = '';
+  /** @param {Pin[]} pins @param {PinReport[]} reports @param {number} size of the surface */
+  return (pins, reports, size) => {
+    const now = pins.map(keyOf).join();
+    if (now !== keys) {
+      keys = now;
+      rows = pins.map((pin, index) => createPinRow(pin, index, dispatch, signal));
+      list.replaceChildren(...rows.map(({ item }) => item));
+    }
+    list.hidden = !pins.length;
+    // A two-hundredth of the size, rounded to one digit.
+    const step = Number((size / 200).toPrecision(1)) || 0.01;
+    rows.forEach((row, index) => {
+      const report = reports.find((one) => one.pin === index + 1 && !one.copy);
+      row.update(pins[index], report, step);
+    });
+  };
+}
