@@ -111,7 +111,7 @@ test('leads a pin to where its fields say, of a run of any functional; undo does
     start,
   );
   const place = () => studio.state.document.result.constrained?.pins[0].position ?? [];
-  const [x, y, z] = place();
+  const [x, y, z] = /** @type {[number, number, number]} */ (place());
   /** @param {number} up @param {boolean} moving @returns {Action} */
   const move = (up, moving) => ({ type: 'pinMoved', index: 0, at: [x + up, y, z], moving });
   studio.dispatch(move(0.05, true));
