@@ -30,12 +30,14 @@ struct NumberedGroup {
   }
 };
 
+std::vector<int> from_one(std::vector<int> numbers) {
+  for (int& number : numbers) ++number;
+  return numbers;
+}
+
 std::vector<NumberedGroup> numbered(const std::vector<FaceGroup>& groups) {
   std::vector<NumberedGroup> result;
-  for (const FaceGroup& group : groups) {
-    result.push_back({group.name, group.faces});
-    for (int& face : result.back().faces) ++face;
-  }
+  for (const FaceGroup& group : groups) result.push_back({group.name, from_one(group.faces)});
   return result;
 }
 
@@ -132,6 +134,7 @@ umbilic_status umbilic_run_part(const umbilic_run* handle, int32_t part, umbilic
       case UMBILIC_PART_LIMIT: return answer(json_text(run.limit()), text);
       case UMBILIC_PART_ENERGIES: return answer(json_text(run.energies()), text);
       case UMBILIC_PART_GROUPS: return answer(json_text(numbered(handle->run.groups)), text);
+      case UMBILIC_PART_HELD: return answer(json_text(from_one(run.held_faces())), text);
     }
     return fail(UMBILIC_BAD_ARGUMENT, fmt::format("a run has no part {}", part));
   });

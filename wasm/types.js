@@ -82,8 +82,8 @@
  * @property {FaceSelection} [hold] faces whose surface stays that of the cage
  * @property {FaceSelection} [free] the only faces whose surface may move
  * @property {Pin[]} [pins]
- * @property {boolean} [symmetric] whether pins, and `hold` or `free`, are copied to all places to which the cage's symmetry
- *   maps theirs, so that the symmetry is kept; default false
+ * @property {boolean} [symmetric] whether pins, `hold` or `free`, and listed boundaries are copied to all places to which the
+ *   cage's symmetry maps theirs, so that the symmetry is kept; default false
  * @property {{weight: number} | {within: number}} [closeness] how near the surface stays to the cage's own
  * @property {BoundaryConditions} [boundary] of open surfaces; by default tangents are held everywhere
  */

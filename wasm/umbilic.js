@@ -41,7 +41,7 @@ import {
 export { InputError, load } from './memory.js';
 
 /** The values of umbilic_part in api.h. */
-const PARTS = { progress: 0, problem: 1, cage: 2, group: 3, levels: 4, limit: 5, energies: 6, groups: 7 };
+const PARTS = { progress: 0, problem: 1, cage: 2, group: 3, levels: 4, limit: 5, energies: 6, groups: 7, held: 8 };
 
 /** @param {number} handle @param {string} type @returns {number} */
 function alive(handle, type) {
@@ -223,6 +223,11 @@ export class Minimizer {
   /** The groups of the cage's file, with the numbers of their faces from 1. @returns {FaceGroup[]} */
   get groups() {
     return this.#part('groups');
+  }
+
+  /** The numbers of the cage's faces that are held, from 1, with those that `symmetric` copies. @returns {number[]} */
+  get held() {
+    return this.#part('held');
   }
 
   /** The symmetry that the run keeps. @returns {Group} */

@@ -131,13 +131,39 @@ std::vector<std::vector<int>> numbered_loops(const PolygonMesh& mesh) {
   return loops;
 }
 
+namespace {
+
+/// Copies what is listed for half-edges to where the symmetries map them. `entry` has for each half-edge the index of
+/// the listed loop that it belongs to, or -1.
+std::optional<Error> copy_listed(const std::vector<Symmetry>& symmetries, const std::vector<int>& entry,
+                                 std::vector<BoundaryCondition>& conditions) {
+  for (int h = 0; h < static_cast<int>(entry.size()); ++h) {
+    if (entry[h] < 0) continue;
+    for (const Symmetry& symmetry : symmetries) {
+      const int image = symmetry.map.halfedges[h];
+      if (entry[image] >= 0 && conditions[image] != conditions[h]) {
+        return Error{
+            fmt::format("constraints.boundary.loops[{}].condition: {}, but constraints.symmetric copies loops[{}] to "
+                        "there, which is {}",
+                        entry[image], name_of(conditions[image]), entry[h], name_of(conditions[h]))};
+      }
+      conditions[image] = conditions[h];
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<std::vector<BoundaryCondition>> boundary_conditions(const BoundaryConditions& conditions,
-                                                           const PolygonMesh& mesh, const std::vector<bool>& held) {
+                                                           const PolygonMesh& mesh, const std::vector<bool>& held,
+                                                           const std::vector<Symmetry>& symmetries) {
   if (!mesh.is_open()) {
     if (conditions.loops.empty()) return std::vector<BoundaryCondition>();
     return Error{"constraints.boundary.loops[0]: the cage is closed"};
   }
   std::vector<BoundaryCondition> result(mesh.surface_halfedge_count(), conditions.condition);
+  std::vector<int> entry(mesh.surface_halfedge_count(), -1);
   const std::vector<std::vector<int>> loops = numbered_loops(mesh);
   for (std::size_t i = 0; i < conditions.loops.size(); ++i) {
     const LoopCondition& wanted = conditions.loops[i];
@@ -161,8 +187,13 @@ Result<std::vector<BoundaryCondition>> boundary_conditions(const BoundaryConditi
       count = (static_cast<std::size_t>(to - loop.begin()) + loop.size() - begin) % loop.size();
       if (count == 0) count = loop.size();
     }
-    for (std::size_t k = 0; k < count; ++k) result[loop[(begin + k) % loop.size()]] = wanted.condition;
+    for (std::size_t k = 0; k < count; ++k) {
+      const int h = loop[(begin + k) % loop.size()];
+      result[h] = wanted.condition;
+      entry[h] = static_cast<int>(i);
+    }
   }
+  if (auto error = copy_listed(symmetries, entry, result)) return *error;
   const std::vector<bool> bare = bare_vertices(mesh);
   const auto tells_curvature = [&](int v) { return bare.empty() || !bare[v] || surface_is_held(mesh, v, held); };
   for (int h = 0; h < mesh.surface_halfedge_count(); ++h) {

@@ -21,6 +21,7 @@
 
 #include "base/result.h"
 #include "mesh/polygon_mesh.h"
+#include "mesh/symmetry.h"
 #include "problem/boundary_condition.h"
 
 namespace umbilic {
@@ -30,10 +31,13 @@ namespace umbilic {
 std::vector<std::vector<int>> numbered_loops(const PolygonMesh& mesh);
 
 /// The condition at each half-edge of the mesh of the cage, where that has the boundary on its right. Empty for closed
-/// meshes. `held` says of each face whether it is held; it may be empty. Errors name a loop or a vertex that the cage
-/// does not have, and curvature where neither ghosts of the cage nor held faces give one.
+/// meshes. `held` says of each face whether it is held; it may be empty. What is listed is copied to where the
+/// symmetries map it, which is all elements of a group or none. Errors name a loop or a vertex that the cage does not
+/// have, copies that meet another listed condition, and curvature where neither ghosts of the cage nor held faces give
+/// one.
 Result<std::vector<BoundaryCondition>> boundary_conditions(const BoundaryConditions& conditions,
-                                                           const PolygonMesh& mesh, const std::vector<bool>& held);
+                                                           const PolygonMesh& mesh, const std::vector<bool>& held,
+                                                           const std::vector<Symmetry>& symmetries = {});
 
 /// The same on `finer`, the mesh after one Catmull-Clark step.
 std::vector<BoundaryCondition> refined(const std::vector<BoundaryCondition>& conditions, const PolygonMesh& mesh,

@@ -19,12 +19,22 @@ SymmetryGroup kept_symmetry(const std::vector<HeldPoint>& pins, const RefinedCag
                   [&](const Symmetry& element) { return keeps(element, cage.symmetry.center, pins, cage.mesh); });
 }
 
-/// The cage's symmetry is then the part of it that is kept.
-std::optional<Error> move_pins(RefinedCage& cage, const std::vector<Pin>& pins, RefinedCage& surface) {
+/// The pins on the cage, with their copies.
+Result<std::vector<HeldPoint>> held_on(const RefinedCage& cage, const Constraints& constraints) {
   RefinedCage own = cage;
   own.control = cage.own;
-  const Result<std::vector<HeldPoint>> held = hold(pins, own);
+  Result<std::vector<HeldPoint>> held = hold(constraints.pins, own);
+  if (!held || !constraints.symmetric) return held;
+  return with_images(*held, elements_of(cage.symmetry, cage.mesh), cage.symmetry.center, cage.mesh);
+}
+
+/// The cage's symmetry is then the part of it that is kept.
+std::optional<Error> move_pins(RefinedCage& cage, const Constraints& constraints, RefinedCage& surface) {
+  const Result<std::vector<HeldPoint>> held = held_on(cage, constraints);
   if (!held) return held.error();
+  if (held->size() != surface.pins.size()) {
+    return Error{"pins: constraints.symmetric makes other copies of them than before; that takes a new run"};
+  }
   SymmetryGroup kept = kept_symmetry(*held, cage);
   if (kept.order < cage.symmetry.order) {
     cage.symmetry = std::move(kept);
@@ -43,8 +53,7 @@ Result<RefinedCage> with_targets(RefinedCage surface, RefinedCage& cage, const T
                                  const Constraints& changed, CapKind cap) {
   SymmetryGroup before = cage.symmetry;
   if (!targets.pins.empty()) {
-    if (changed.symmetric) return Error{"pins: those that constraints.symmetric copies cannot move under a run"};
-    if (auto error = move_pins(cage, changed.pins, surface)) return *error;
+    if (auto error = move_pins(cage, changed, surface)) return *error;
     const Coordinates coordinates(surface.mesh, surface.symmetry, held_points(surface, cap));
     if (auto error = contradiction_of(surface, coordinates)) {
       cage.symmetry = std::move(before);

@@ -62,6 +62,7 @@ struct Run::State {
   double level_seconds = 0;
   bool cancelled = false;
   HeldRegions held_regions;      // of the cage
+  std::vector<int> held_faces;   // of the cage, sorted
   std::optional<double> within;  // the largest deviation that is allowed, in unit coordinates
   std::optional<ClosenessSearch> search;
   std::optional<double> fixed_area;              // see Surface
@@ -286,6 +287,9 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constra
   if (constrained && !leaves_size_open(*prepared))
     state->fixed_area = own_area(*prepared, state->required_level, options.cap);
   state->held_regions = HeldRegions(prepared->mesh, prepared->held);
+  for (std::size_t f = 0; f < prepared->held.size(); ++f) {
+    if (prepared->held[f]) state->held_faces.push_back(state->cage_numbers[f]);
+  }
   if (start) {
     prepared = at_state(std::move(prepared).value(), *start, options.cap, options.symmetry);
     if (!prepared) return Error{"start: " + prepared.error().message};
@@ -388,6 +392,8 @@ Points Run::orbit_points() const {
   const RefinedCage cage = state_->level->best_cage();
   return cage.placement.back(Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control));
 }
+
+const std::vector<int>& Run::held_faces() const { return state_->held_faces; }
 
 SurfaceState Run::state() const { return {state_->level->number(), orbit_points()}; }
 

@@ -91,6 +91,9 @@ class Run {
   /// Of each face of `control_mesh`: the face of the cage that it descends from.
   std::vector<int> cage_faces() const;
 
+  /// The faces of the cage whose surface is held, also those to which constraints.symmetric copies others; sorted.
+  const std::vector<int>& held_faces() const;
+
   /// The points of the first vertex of each orbit of `control_mesh`; see driver/surface_state.h.
   Points orbit_points() const;
 

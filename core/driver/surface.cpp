@@ -49,11 +49,10 @@ std::vector<bool> on_quads(const std::vector<bool>& of_faces, const PolygonMesh&
   return of_quads;
 }
 
-/// Copies what the constraints hold, or free, to all places to which the cage's symmetry maps it.
-std::optional<Error> copy_over_symmetry(const Constraints& constraints, const SymmetryGroup& group, RefinedCage& cage) {
-  const std::vector<Symmetry> symmetries = elements_of(group, cage.mesh);
-  if (symmetries.empty()) return Error{"constraints.symmetric: the cage's symmetry is too large to be listed"};
-  Result<std::vector<HeldPoint>> pins = with_images(cage.pins, symmetries, group.center, cage.mesh);
+/// Copies the pins and the faces that the constraints hold, or free, to all places to which the symmetries map them.
+std::optional<Error> copy_over_symmetry(const Constraints& constraints, const std::vector<Symmetry>& symmetries,
+                                        const Vector3& center, RefinedCage& cage) {
+  Result<std::vector<HeldPoint>> pins = with_images(cage.pins, symmetries, center, cage.mesh);
   if (!pins) return pins.error();
   cage.pins = std::move(pins).value();
   if (cage.held.empty()) return std::nullopt;
@@ -101,10 +100,14 @@ Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, co
     if (!pins) return pins.error();
     result.pins = std::move(pins).value();
   }
+  std::vector<Symmetry> symmetries;  // over which constraints are copied
   if (constraints.symmetric) {
-    if (auto error = copy_over_symmetry(constraints, group, result)) return *error;
+    symmetries = elements_of(group, mesh);
+    if (symmetries.empty()) return Error{"constraints.symmetric: the cage's symmetry is too large to be listed"};
+    if (auto error = copy_over_symmetry(constraints, symmetries, group.center, result)) return *error;
   }
-  auto boundary = boundary_conditions(constraints.boundary.value_or(BoundaryConditions()), mesh, result.held);
+  auto boundary =
+      boundary_conditions(constraints.boundary.value_or(BoundaryConditions()), mesh, result.held, symmetries);
   if (!boundary) return boundary.error();
   result.boundary = std::move(boundary).value();
   if (constraints.closeness) {

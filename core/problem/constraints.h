@@ -52,8 +52,9 @@ struct Constraints {
   std::optional<FaceSelection> hold{};  ///< the faces that are held
   std::optional<FaceSelection> free{};  ///< the faces that are not; all others are held
   std::vector<Pin> pins{};              ///< points and normals that are held
-  /// Whether pins and the selections of faces above also hold, or free, what the cage's symmetry maps theirs to, so
-  /// that the symmetry is kept. A cage that is symmetric within the digits of its file is made so exactly first.
+  /// Whether pins, the selections of faces above and listed boundaries also hold, or free, what the cage's symmetry
+  /// maps theirs to, so that the symmetry is kept. A cage that is symmetric within the digits of its file is made so
+  /// exactly first.
   bool symmetric = false;
 
   std::optional<Closeness> closeness{};
@@ -70,10 +71,10 @@ struct Constraints {
     visit("free", self.free, "The only faces whose surface may move; not together with hold");
     if (!std::is_const_v<Self> || !self.pins.empty()) visit("pins", self.pins, "Points and normals that are held");
     if (!std::is_const_v<Self> || self.symmetric) {
-      visit(
-          "symmetric", self.symmetric,
-          "Whether pins, and hold or free, are copied to all places to which the cage's symmetry maps theirs, so that "
-          "the symmetry is kept; false unless given");
+      visit("symmetric", self.symmetric,
+            "Whether pins, hold or free, and listed boundaries are copied to all places to which the cage's symmetry "
+            "maps "
+            "theirs, so that the symmetry is kept; false unless given");
     }
     visit("closeness", self.closeness, "How near the surface stays to the cage's own");
     visit("boundary", self.boundary, "What is held at the boundaries of an open surface; the tangents unless given");

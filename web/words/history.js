@@ -61,6 +61,8 @@ export function stepName(action) {
       return `pin vertex ${action.vertex}`;
     case 'pinRemoved':
       return 'remove a pin';
+    case 'copiesSwitched':
+      return action.on ? 'copy over the symmetry' : 'copy nothing';
     case 'pinMoved':
       return 'move a pin';
     case 'conditionChosen':

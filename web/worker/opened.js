@@ -49,6 +49,7 @@ function unfilledParts({ Cage }, opened) {
  */
 export function openedMessage(core, run, problem, opened) {
   const { cage, group, groups, progress } = opened;
-  const parts = { ...fileParts(core, problem, opened), ...unfilledParts(core, opened) };
+  const held = opened.problem.constraints.symmetric && { held: opened.held };
+  const parts = { ...fileParts(core, problem, opened), ...unfilledParts(core, opened), ...held };
   return { type: 'opened', run, level: progress.level, cage, group, groups, ...parts };
 }

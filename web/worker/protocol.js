@@ -68,10 +68,11 @@
  *
  * `level` is that of the surface that the run starts from, and `group` the symmetry that it keeps; `groups` are those of the cage's faces. For a file, `asked` is its problem, complete except for its start, and
  * `report` its results. Where the problem fills boundaries, `cage` and `groups` are those of the filled cage, and `unfilled` is
- * the one before, with the number of corners of each of its faces.
+ * the one before, with the number of corners of each of its faces. `held`: the numbers of all held faces, where constraints are
+ * copied over the symmetry.
  * @typedef {{counts: CageReport, corners: Uint32Array}} Unfilled
  * @typedef {{type: 'opened', run: number, level: number, cage: CageReport, group: Group, groups: FaceGroup[], asked?: Problem, report?:
- *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>, unfilled?: Unfilled}} Opened
+ *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>, unfilled?: Unfilled, held?: number[]}} Opened
  *
  * The current surface. `evaluations` counts all levels so far. `coarse`: `detail` will bring a finer one. `deviations`: the
  * distance of each vertex of the limit mesh from the cage's own surface; see deviation.js.

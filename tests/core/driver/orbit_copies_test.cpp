@@ -167,5 +167,26 @@ TEST(OrbitCopies, are_held_without_symmetry_of_the_surface_as_well) {
   EXPECT_GT(std::count(copied.held.begin(), copied.held.end(), true), 1);
 }
 
+/// A mirror exchanges the two boundaries of a cylinder.
+TEST(OrbitCopies, of_a_boundary_keep_the_symmetry_and_must_not_meet_another_condition) {
+  const Cage cylinder = *generate_cage("cylinder");
+  Constraints constraints;
+  constraints.boundary = BoundaryConditions{BoundaryCondition::kTangent, {{1, {}, {}, BoundaryCondition::kPosition}}};
+  const auto order = [&](const Constraints& wanted) { return prepare(cylinder, 1, true, wanted)->symmetry.order; };
+  const int whole = order({});
+  EXPECT_EQ(order(constraints), whole / 2);
+  constraints.symmetric = true;
+  EXPECT_EQ(order(constraints), whole);
+  const RefinedCage copied = *prepare(cylinder, 1, true, constraints);
+  for (int h = 0; h < copied.mesh.surface_halfedge_count(); ++h) {
+    if (copied.mesh.is_boundary(h)) EXPECT_EQ(copied.boundary[h], BoundaryCondition::kPosition);
+  }
+  constraints.boundary->loops.push_back({2, {}, {}, BoundaryCondition::kFree});
+  EXPECT_EQ(
+      prepare(cylinder, 1, true, constraints).error().message,
+      "constraints.boundary.loops[1].condition: free, but constraints.symmetric copies loops[0] to there, which is "
+      "position");
+}
+
 }  // namespace
 }  // namespace umbilic

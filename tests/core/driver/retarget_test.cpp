@@ -225,5 +225,25 @@ TEST(Retarget, of_the_symmetry_is_left_what_the_targets_have) {
   EXPECT_NEAR(ended(again), ended(run), 1e-8 * ended(run));
 }
 
+TEST(Retarget, copies_of_pins_move_with_them) {
+  const Cage frame = *generate_cage("two-3");
+  const Vector3 first = frame.vertices.row(0);
+  const auto out = [&](double factor) {
+    Constraints constraints;
+    Pin pin;
+    pin.vertex = 1;
+    pin.at = Coordinates3{factor * first[0], factor * first[1], factor * first[2]};
+    constraints.pins = {pin};
+    constraints.symmetric = true;
+    return constraints;
+  };
+  umbilic::Run run = begun(frame, up_to_level(1, 1), out(1)), expected = begun(frame, up_to_level(1, 1), out(1.1));
+  ended(run);
+  ASSERT_FALSE(run.retarget(targets_of(out(1.1))));
+  EXPECT_NEAR(ended(run), ended(expected), 1e-6 * ended(expected));
+  EXPECT_EQ(run.group().name, "D3h");
+  EXPECT_EQ(run.constraints()->pins.size(), expected.constraints()->pins.size());
+}
+
 }  // namespace
 }  // namespace umbilic

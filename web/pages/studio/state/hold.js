@@ -24,6 +24,23 @@ export function heldFaces({ hold, free }, cage) {
   return freed && !hold ? chosen.map((one) => 1 - one) : chosen;
 }
 
+/** The faces that the run on the screen holds with all copies, if that is what is asked; else null. @param {Document} document */
+export const heldWithCopies = ({ settings, result }) =>
+  settings.constraints.symmetric && holdsTheSame(settings, result.settings) ? result.held : null;
+
+/**
+ * As `heldFaces`, with the copies over the symmetry where they are known.
+ * @param {Constraints} constraints
+ * @param {CageFaces | null} cage
+ * @param {number[] | null} withCopies
+ */
+export function shownHeld(constraints, cage, withCopies) {
+  const held = heldFaces(constraints, cage);
+  if (withCopies) held.fill(0);
+  for (const face of withCopies ?? []) held[face - 1] = 1;
+  return held;
+}
+
 /** @param {FaceSelection} selection @param {CageFaces} cage @returns {Uint8Array} */
 function selected({ groups = [], faces = [] }, { counts, groups: known, fileFaces }) {
   const chosen = new Uint8Array(faceCount(counts));
@@ -204,6 +221,12 @@ function changed(state, action) {
       const { pins = [], ...rest } = constraints;
       const left = pins.filter((_, i) => i !== action.index);
       return withConstraints(left.length ? { ...rest, pins: left } : rest);
+    }
+    case 'copiesSwitched': {
+      const { symmetric, ...rest } = constraints;
+      return Boolean(symmetric) === action.on
+        ? state
+        : withConstraints(action.on ? { ...rest, symmetric: true } : rest);
     }
     case 'pinMoved': {
       const { pins = [] } = constraints;

@@ -32,17 +32,21 @@ export function afterOpened(state, opening, message) {
   const { run, source, settings, purpose, then } = opening;
   const { counts, groups, taken } = cagesOf(message);
   const { result } = state.document;
+  const held = message.held ?? null;
   const opened = withView(withSession(state, { run, before: null, opening: null, refused: null, exporting: false }), {
     coarse: false,
   });
   if (purpose === 'recovery') {
     const phase = then === 'hold' ? state.session.phase : phases.running;
     const before = opening.start ? (result.saved?.evaluations ?? 0) : null;
-    return withSession(withResult(opened, { settings, group: message.group, taken }), { phase, before });
+    return withSession(withResult(opened, { settings, group: message.group, taken, held }), { phase, before });
   }
-  const fresh = withSession(withDocument(opened, { result: { ...noResult(settings), group: message.group, taken } }), {
-    phase: then === 'hold' ? phases.resting : phases.running,
-  });
+  const fresh = withSession(
+    withDocument(opened, { result: { ...noResult(settings), group: message.group, taken, held } }),
+    {
+      phase: then === 'hold' ? phases.resting : phases.running,
+    },
+  );
   if (opening.entry && opening.report && source.kind === 'generated') {
     const cage = { source, name: source.name, counts, groups };
     const saved = opening.start && { state: opening.start, evaluations: 0 };

@@ -26,6 +26,7 @@ export const noResult = (settings) => ({
   settings,
   group: null,
   taken: null,
+  held: null,
   catalogs: false,
   progress: null,
   stop: null,

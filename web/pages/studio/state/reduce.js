@@ -197,6 +197,7 @@ function changed(state, action) {
     case 'vertexPinned':
     case 'pinRemoved':
     case 'pinMoved':
+    case 'copiesSwitched':
     case 'conditionChosen':
     case 'fillPressed':
     case 'closenessChanged':

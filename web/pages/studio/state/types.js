@@ -109,6 +109,7 @@
  * @property {Settings} settings of the run
  * @property {Group | null} group the symmetry that it keeps
  * @property {TakenCage | null} taken the cage as it takes it; null if that is the file's
+ * @property {number[] | null} held the numbers of the faces that it holds, from 1, where it copies constraints over the symmetry
  * @property {boolean} catalogs whether it is the catalog's, opened as the end of a run
  * @property {Progress | null} progress
  * @property {StopReason | 'interrupted' | null} stop
@@ -199,6 +200,7 @@
  *   | {type: 'holdEdited', how: 'all' | 'invert' | 'grow' | 'clear'}
  *   | {type: 'vertexPinned', vertex: number}
  *   | {type: 'pinRemoved', index: number}
+ *   | {type: 'copiesSwitched', on: boolean}
  *   | {type: 'pinMoved', index: number, at: [number, number, number], moving?: boolean}
  *   | {type: 'conditionChosen', boundary: number | null, condition: BoundaryCondition}
  *   | {type: 'fillPressed', boundary: number | null, filled: boolean}

@@ -3,7 +3,7 @@
  * @file The panel for faces that are held: the groups of the file, what the pointer does on the surface, and changes of all
  * faces at once.
  */
-import { heldFaces, heldPart, holdsTheSame, problemOfHold } from '../state/hold.js';
+import { heldPart, holdsTheSame, heldWithCopies, problemOfHold, shownHeld } from '../state/hold.js';
 import { cageOnScreen } from '../state/taken.js';
 import { changeWords, heldWords, pointerWords } from '../../../words/holding.js';
 import { counted } from '../../../words/numbers.js';
@@ -20,6 +20,10 @@ const edits = [
   { how: 'clear', name: 'Clear', title: 'Free all faces' },
 ];
 
+/** Whether there is something that can be copied over the symmetry. @param {Constraints} constraints */
+const holdsSomething = ({ hold, free, pins = [], boundary }) =>
+  Boolean(hold ?? free) || pins.length > 0 || (boundary?.loops?.length ?? 0) > 0;
+
 /**
  * @param {HTMLElement} root
  * @param {(action: Action) => void} dispatch
@@ -35,6 +39,9 @@ export function createHoldView(root, dispatch) {
   const count = find(root, '#held-count');
   const change = find(root, '#hold-change');
   const problem = find(root, '#hold-problem');
+  const copies = find(root, '#copies');
+  const copied = /** @type {HTMLInputElement} */ (find(copies, 'input'));
+  copied.addEventListener('change', () => dispatch({ type: 'copiesSwitched', on: copied.checked }), { signal });
 
   const radios = Object.entries(pointerWords).map(([pointer, { name, words: title }]) => {
     const input = element('input', { type: 'radio', name: 'pointer', value: pointer });
@@ -75,9 +82,17 @@ export function createHoldView(root, dispatch) {
   });
 
   const show = whenChanged(
-    (/** @type {Constraints} */ constraints, /** @type {CageFaces | null} */ cage, /** @type {Pointer} */ pointer) => {
+    (
+      /** @type {Constraints} */ constraints,
+      /** @type {CageFaces | null} */ cage,
+      /** @type {number[] | null} */ withCopies,
+      /** @type {boolean} */ symmetry,
+      /** @type {Pointer} */ pointer,
+    ) => {
       showGroups(cage);
-      const held = heldFaces(constraints, cage);
+      const held = shownHeld(constraints, cage, withCopies);
+      copied.checked = constraints.symmetric ?? false;
+      copies.hidden = !symmetry || !holdsSomething(constraints);
       const total = held.reduce((sum, one) => sum + one, 0);
       for (const { group, input } of boxes) {
         const part = heldPart(group, held);
@@ -97,7 +112,7 @@ export function createHoldView(root, dispatch) {
     update(state) {
       const { document, session, view } = state;
       const { settings, result } = document;
-      show(settings.constraints, cageOnScreen(document), view.pointer);
+      show(settings.constraints, cageOnScreen(document), heldWithCopies(document), settings.symmetry, view.pointer);
       setText(change, changeWords(!holdsTheSame(settings, result.settings), session.phase.name));
       setText(problem, problemOfHold(document) ?? '');
     },
@@ -107,12 +122,12 @@ export function createHoldView(root, dispatch) {
 
 /** The word for held parts beside the colours. @param {HTMLElement} root */
 export function createHeldKeyView(root) {
-  const show = whenChanged((/** @type {Constraints} */ constraints, /** @type {CageFaces | null} */ cage) => {
-    root.hidden = !heldFaces(constraints, cage).some(Boolean);
+  const show = whenChanged((/** @type {Parameters<typeof shownHeld>} */ ...asked) => {
+    root.hidden = !shownHeld(...asked).some(Boolean);
   });
   return {
     /** @param {State} state */
-    update: ({ document }) => show(document.settings.constraints, cageOnScreen(document)),
+    update: ({ document }) => show(document.settings.constraints, cageOnScreen(document), heldWithCopies(document)),
     dispose() {},
   };
 }

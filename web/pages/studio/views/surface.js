@@ -5,7 +5,7 @@
 import { quantityOf } from '../../../colour/quantities.js';
 import { drawing } from '../../../scene/drawing.js';
 import { createScene } from '../../../scene/scene.js';
-import { heldFaces } from '../state/hold.js';
+import { heldWithCopies, shownHeld } from '../state/hold.js';
 import { cageOnScreen } from '../state/taken.js';
 import { createBoundaryEdges } from './boundary_edges.js';
 import { listenToBrush } from './brush.js';
@@ -64,10 +64,10 @@ export function createSurfaceView(root, dispatch) {
   listenToBrush(canvas, brush, dispatch, signal);
 
   const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
-  const setHeld = whenChanged((/** @type {Constraints} */ constraints, /** @type {CageFaces | null} */ cage) => {
-    const held = heldFaces(constraints, cage);
+  const setHeld = whenChanged((/** @type {Parameters<typeof shownHeld>} */ ...asked) => {
+    const held = shownHeld(...asked);
     scene?.setHeld(held.some(Boolean) ? held : null);
-    scene?.setPins((constraints.pins ?? []).flatMap(({ vertex }) => (vertex ? [vertex - 1] : [])));
+    scene?.setPins((asked[0].pins ?? []).flatMap(({ vertex }) => (vertex ? [vertex - 1] : [])));
   });
   const setSurface = whenChanged((/** @type {Surface} */ surface) =>
     scene?.setSurface(surface.limit, surface.deviations),
@@ -119,7 +119,7 @@ export function createSurfaceView(root, dispatch) {
       ({ pointer } = state.view);
       vertices = state.document.cage?.counts.vertices ?? 0;
       canvas.dataset.pointer = pointer;
-      setHeld(state.document.settings.constraints, cageOnScreen(state.document));
+      setHeld(state.document.settings.constraints, cageOnScreen(state.document), heldWithCopies(state.document));
       setSurface(state.view.surface);
       setMarked(state.view.boundary, state.document.cage, state.document.result.taken, state.view.surface);
       awaitPicture(state.view.surface, state.view.coarse);
