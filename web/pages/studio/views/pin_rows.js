@@ -44,15 +44,16 @@ function createPinRow(first, index, dispatch, signal) {
   const fields = element('span', { class: 'places', role: 'group' }, ...labels);
   const item = element('li', {}, element('span', { class: 'dot' }), name, strength, remove, fields);
 
-  /** @param {Pin} pin @param {PinReport | undefined} report */
-  function showPlace(pin, report) {
+  /** @param {Pin} pin @param {PinReport | undefined} report @param {number} step */
+  function showPlace(pin, report, step) {
+    const digits = Math.min(Math.max(Math.ceil(-Math.log10(step)) + 2, 0), 20);
     const known = pin.at?.map((x, c) => (Number.isFinite(x) ? x : NaN)) ?? report?.position;
     place = known && pin.position !== false ? [known[0], known[1], known[2]] : null;
     fields.hidden = !place;
     inputs.forEach((input, c) => {
       const value = place?.[c] ?? NaN;
       labels[c].hidden = !Number.isFinite(value);
-      const words = String(Number(value.toPrecision(6)));
+      const words = String(Number(value.toFixed(digits)));
       if (Number(input.value) !== value && input.value !== words) input.value = words;
     });
   }
@@ -60,7 +61,7 @@ function createPinRow(first, index, dispatch, signal) {
   return {
     item,
     update(pin, report, step) {
-      const words = pinWords(pin);
+      const words = pinWords({ ...pin, at: undefined }); // the fields tell where
       setText(name, words);
       remove.setAttribute('aria-label', `Remove the pin: ${words}`);
       strength.hidden = !report;
@@ -71,7 +72,7 @@ function createPinRow(first, index, dispatch, signal) {
       }
       fields.setAttribute('aria-label', `Where ${words} lies`);
       for (const input of inputs) input.step = String(step);
-      showPlace(pin, report);
+      showPlace(pin, report, step);
     },
   };
 }
