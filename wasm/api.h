@@ -191,6 +191,14 @@ umbilic_status umbilic_certificate_progress(const umbilic_certificate* certifica
 /** A report's "certificate". The certificate must be ready. */
 umbilic_status umbilic_certificate_report(const umbilic_certificate* certificate, umbilic_text* report);
 
+/**
+ * A surface of lower energy near the certificate's, which must be ready: as in a problem's "start", with the points of
+ * all vertices, valid until the next call on the certificate. UMBILIC_BAD_INPUT where no direction leads down. Costs
+ * some tens of evaluations.
+ */
+umbilic_status umbilic_certificate_descent(umbilic_certificate* certificate, int32_t* level, const double** points,
+                                           size_t* count);
+
 /* ---- meshes ---- */
 
 /** Arrays of a mesh, which stay valid as long as its handle. Vertices are numbered from 0. */

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "driver/surface.h"
@@ -223,5 +224,19 @@ umbilic_status umbilic_certificate_report(const umbilic_certificate* certificate
   return guarded([&] {
     if (!all_given(certificate, report) || !ready(*certificate)) return UMBILIC_BAD_ARGUMENT;
     return answer(json_text(certificate->certificate.report().value()), report);
+  });
+}
+
+umbilic_status umbilic_certificate_descent(umbilic_certificate* handle, int32_t* level, const double** points,
+                                           size_t* count) {
+  return guarded([&] {
+    if (!all_given(handle, level, points, count) || !usable(*handle) || !ready(*handle)) return UMBILIC_BAD_ARGUMENT;
+    std::optional<SurfaceState> lower = handle->certificate.descent();
+    if (!lower) return fail(Error{"no direction from this surface leads to one of lower energy"});
+    handle->lower = std::move(*lower);
+    *level = handle->lower.level;
+    *points = handle->lower.points.data();
+    *count = static_cast<size_t>(handle->lower.points.rows());
+    return UMBILIC_OK;
   });
 }

@@ -20,7 +20,8 @@ struct umbilic_run {
 
 struct umbilic_certificate {
   umbilic::Certificate certificate;
-  bool ended = false;  // has a report, or failed
+  umbilic::SurfaceState lower{};  // the last one handed out
+  bool ended = false;             // has a report, or failed
   bool broken = false;
 };
 

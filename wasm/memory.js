@@ -206,9 +206,12 @@ export function withPoints(points, use) {
   }
 }
 
-/** @param {number} run @returns {{level: number, points: Float64Array}} the result of umbilic_run_state */
-export function stateOf(run) {
-  call('run_state', run, scratch, scratch + 4, scratch + 8);
+/**
+ * A surface as umbilic_run_state and umbilic_certificate_descent hand it out.
+ * @param {string} name of the function @param {number} handle @returns {{level: number, points: Float64Array}}
+ */
+export function stateOf(name, handle) {
+  call(name, handle, scratch, scratch + 4, scratch + 8);
   const [level, pointer, count] = handedBack(3);
   return { level, points: core().HEAPF64.slice(pointer >>> 3, (pointer >>> 3) + 3 * count) };
 }

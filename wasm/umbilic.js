@@ -252,7 +252,7 @@ export class Minimizer {
 
   /** The best surface so far, for a problem's `start`. @returns {{level: number, points: Float64Array}} */
   get state() {
-    return stateOf(this.#alive);
+    return stateOf('run_state', this.#alive);
   }
 
   /**
@@ -326,6 +326,15 @@ export class Certificate {
   /** The result; available once `step` has returned true. @returns {CertificateReport} */
   get report() {
     return valueFrom('certificate_report', this.handle);
+  }
+
+  /**
+   * A surface of lower energy nearby, for a problem's `start`; costs some tens of evaluations.
+   * @returns {{level: number, points: Float64Array}}
+   * @throws {InputError} where no direction leads down
+   */
+  descent() {
+    return stateOf('certificate_descent', this.handle);
   }
 
   /** Frees the certificate; a second call does nothing. */

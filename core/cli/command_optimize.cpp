@@ -2,10 +2,13 @@
 /// \file
 /// `umbilic optimize`: a run from a cage to files and tables.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/threads.h"
 #include "cage/write.h"
@@ -35,6 +38,7 @@ struct OptimizeArguments {
   int density = 4;
   int threads = hardware_threads();
   bool certify = false;
+  bool descend = false;
   bool quiet = false;
   bool print_problem = false;
   bool print_schema = false;
@@ -77,7 +81,8 @@ bool minimize(Run& run, const InterruptWatch& watch, bool quiet) {
 struct Ending {
   const std::string& cage;  ///< its name
   const ProblemRun& run;
-  std::optional<CertificateReport> certificate;
+  std::optional<CertificateReport> certificate{};
+  std::vector<std::string> left{};  ///< lines about the surfaces that it went on from, since they were no minima
 };
 
 std::string json(const Ending& ending) {
@@ -92,7 +97,7 @@ std::string table(const Ending& ending) {
   const RunOptions& options = ending.run.problem.options;
   const std::string objective = words(options.weights);
   const std::optional<ConstraintsReport> constraints = run.constraints();
-  return input_line(ending.cage, ending.run.cage) +
+  return input_line(ending.cage, ending.run.cage) + fmt::format("{}", fmt::join(ending.left, "")) +
          fmt::format("minimized {}, cap {}, {}\n", objective, name_of(options.cap), group_words(run.group())) +
          level_table(run.levels()) + limit_line(run.limit()) +
          (options.accuracy ? accuracy_line(run.limit(), *options.accuracy) : "") +
@@ -101,17 +106,19 @@ std::string table(const Ending& ending) {
          (constraints ? constraints_table(*constraints) : "") + credibility_lines(run.energies());
 }
 
-/// Returns nothing if the user interrupts.
-Result<std::optional<CertificateReport>> certify(const Run& run, const InterruptWatch& watch) {
+/// A certificate whose report can be read. Returns nothing if the user interrupts.
+Result<std::optional<Certificate>> certify(const Run& run, const InterruptWatch& watch) {
   Result<Certificate> certificate = run.certify();
   if (!certificate) return certificate.error();
   while (!certificate->step()) {
-    if (watch.interrupted()) return std::optional<CertificateReport>();
+    if (watch.interrupted()) return std::optional<Certificate>();
   }
-  const Result<CertificateReport> report = certificate->report();
-  if (!report) return report.error();
-  return std::optional(*report);
+  if (const Result<CertificateReport> report = certificate->report(); !report) return report.error();
+  return std::optional(std::move(certificate).value());
 }
+
+/// How often a run begins again from a lower surface that a certificate leads to.
+constexpr std::size_t kMostDescents = 8;
 
 /// Writes all results, even if some of them fail.
 int write_results(const OptimizeArguments& arguments, const Ending& ending) {
@@ -144,6 +151,37 @@ Result<ProblemFile> asked(const OptimizeArguments& arguments) {
   return file;
 }
 
+/// "left 143.7803 (level 3, symmetry Td, order 24): 2 directions lower the energy".
+std::string left_line(const Run& run, const CertificateReport& certificate) {
+  return fmt::format("left {:.10g} (level {}, {}): {}\n", run.result().energy_reported, run.result().level,
+                     group_words(run.group()), descent_words(certificate));
+}
+
+/// Minimizes; certifies, if that is asked, and begins again where that leads down. `run` is then the last one, and
+/// `ending` tells the rest.
+int minimize_and_certify(const OptimizeArguments& arguments, const InterruptWatch& watch, ProblemRun& run,
+                         Ending& ending) {
+  while (true) {
+    ending.certificate.reset();
+    if (!minimize(run.run, watch, arguments.quiet)) return kInterrupted;
+    const bool credible = run.run.energies().credible() && std::isfinite(run.run.result().energy_reported);
+    if (!(arguments.certify || arguments.descend) || watch.interrupted()) return credible ? kEnded : kNotCredible;
+    const Result<std::optional<Certificate>> certificate = certify(run.run, watch);
+    if (!certificate) return fail(kBadInput, certificate.error().message);
+    if (!*certificate) return kInterrupted;
+    ending.certificate = *(*certificate)->report();
+    if (!credible) return kNotCredible;
+    if (!arguments.descend || ending.left.size() == kMostDescents) return kEnded;
+    Problem lower = run.problem;
+    lower.start = (*certificate)->descent();
+    if (!lower.start) return kEnded;
+    Result<ProblemRun> next = begin_run(std::move(lower));
+    if (!next) return fail(kBadInput, next.error().message);
+    ending.left.push_back(left_line(run.run, *ending.certificate));
+    run = std::move(next).value();
+  }
+}
+
 int run(const OptimizeArguments& arguments) {
   use_threads(arguments.threads);
   if (arguments.print_schema) return print(schema_text()) ? kEnded : kCannotWrite;
@@ -163,21 +201,8 @@ int run(const OptimizeArguments& arguments) {
   auto run = begin_run(file->problem);
   if (!run) return fail(kBadInput, run.error().message);
   const InterruptWatch watch;  // also while the results are written: they are what the run was for
-  const bool by_itself = minimize(run->run, watch, arguments.quiet);
-  Ending ending{file->cage, *run, std::nullopt};
-  int exit_code = by_itself ? kEnded : kInterrupted;
-  if (by_itself && !(run->run.energies().credible() && std::isfinite(run->run.result().energy_reported))) {
-    exit_code = kNotCredible;
-  }
-  if (arguments.certify && !watch.interrupted()) {
-    const Result<std::optional<CertificateReport>> certificate = certify(run->run, watch);
-    if (certificate) {
-      ending.certificate = *certificate;
-      if (!*certificate) exit_code = kInterrupted;
-    } else {
-      exit_code = fail(kBadInput, certificate.error().message);
-    }
-  }
+  Ending ending{file->cage, *run};
+  const int exit_code = minimize_and_certify(arguments, watch, *run, ending);
   const int written = write_results(arguments, ending);
   return written == kEnded ? exit_code : written;
 }
@@ -218,6 +243,8 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
              "Write problem, energies, levels and surface as JSON, to go on from");
   command->add_flag("--certify", arguments->certify,
                     "Tell whether the result is a local minimum among all surfaces, symmetric or not");
+  command->add_flag("--descend", arguments->descend,
+                    "Where it is none, go on from a lower surface nearby, until there is a local minimum");
   add_threads_option(*command, arguments->threads);
   command->add_flag("-q,--quiet", arguments->quiet, "No progress on standard error");
   command->footer(

@@ -234,10 +234,14 @@ std::string accuracy_line(const LimitReport& limit, double accuracy) {
                                             : "the levels tell no limit");
 }
 
+std::string descent_words(const CertificateReport& certificate) {
+  return plural(certificate.negative, "direction lowers the energy", "directions lower the energy");
+}
+
 std::string certificate_line(const CertificateReport& certificate, const GroupReport& group) {
   std::string words = "a local minimum among all surfaces near it";
   if (certificate.negative > 0) {
-    words = plural(certificate.negative, "direction lowers the energy", "directions lower the energy");
+    words = descent_words(certificate);
     words += group.order > 1 ? fmt::format(": a minimum only within its symmetry {}", group.name) : ": no minimum";
   }
   return fmt::format("certificate: {} (level {}, {} unknowns, {} gauge directions, tau {:g})\n", words,

@@ -31,6 +31,8 @@ std::string limit_line(const LimitReport& limit);
 
 /// How well the limit is known, where an accuracy was asked for: "3913, within 0.8 %".
 std::string accuracy_line(const LimitReport& limit, double accuracy);
+/// "2 directions lower the energy".
+std::string descent_words(const CertificateReport& certificate);
 /// Whether the surface is a local minimum. `group` is the symmetry that the run kept.
 std::string certificate_line(const CertificateReport& certificate, const GroupReport& group);
 

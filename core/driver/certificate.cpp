@@ -11,12 +11,14 @@
 #include <random>
 
 #include "base/symmetric_eigen.h"
+#include "driver/descent.h"
 #include "driver/equations.h"
 #include "driver/rules.h"
 #include "driver/surface.h"
 #include "mesh/hierarchy.h"
 #include "optimize/gauge.h"
 #include "optimize/hessian_assembly.h"
+#include "solve/absolute_inverse.h"
 #include "solve/sparse_cholesky.h"
 
 namespace umbilic {
@@ -118,6 +120,35 @@ struct Certificate::State {
     report.negative = negative - report.gauge - (rank == 2 ? 1 : 0);
     ended = true;
   }
+
+  /// The Hessian times some directions.
+  Eigen::MatrixXd times_hessian(const Eigen::MatrixXd& directions) const {
+    const HessianAssembly::Matrix lower = assembly.combine(1, 0);
+    Eigen::MatrixXd result = lower.selfadjointView<Eigen::Lower>() * directions;
+    const Eigen::MatrixXd& factors = assembly.factors();
+    if (factors.cols() == 2) {
+      result += factors.col(0) * (factors.col(1).transpose() * directions);
+      result += factors.col(1) * (factors.col(0).transpose() * directions);
+    }
+    return result;
+  }
+
+  /// The directions along which the Hessian without the rank-two term is negative are candidates: where the area does
+  /// not change, that term vanishes, and every direction has a part of that kind beside a change of size.
+  std::optional<SurfaceState> descent() const {
+    if (!ended || failure || report.negative <= 0) return std::nullopt;
+    const HessianAssembly::Matrix product = assembly.combine(0, 1);
+    Eigen::MatrixXd candidates = AbsoluteInverse(factor, product, report.tau).vectors();
+    candidates -= gauge * (gauge.transpose() * candidates).eval();
+    const auto found =
+        steepest(candidates, times_hessian(candidates), product.selfadjointView<Eigen::Lower>() * candidates);
+    if (!found) return std::nullopt;
+    const Points direction =
+        unknowns.control(*found) - unknowns.control(Eigen::VectorXd(Eigen::VectorXd::Zero(unknowns.count())));
+    const std::optional<Points> lower = moved_down(surface, direction);
+    if (!lower) return std::nullopt;
+    return SurfaceState{cage.level, cage.placement.back(*lower)};
+  }
 };
 
 Result<Certificate> Certificate::create(const RefinedCage& cage, CapKind cap, const Weights& weights, int quadrature,
@@ -152,6 +183,8 @@ bool Certificate::step() {
 }
 
 double Certificate::progress() const { return state_->furthest; }
+
+std::optional<SurfaceState> Certificate::descent() const { return state_->descent(); }
 
 Result<CertificateReport> Certificate::report() const {
   assert(state_->ended);

@@ -19,6 +19,7 @@
 
 #include "base/result.h"
 #include "energy/functional.h"
+#include "problem/problem.h"
 #include "problem/report.h"
 #include "surface/cap_kind.h"
 
@@ -59,6 +60,10 @@ class Certificate {
   double progress() const;
   /// Available once `step` has returned true. The error says why the signs of the eigenvalues cannot be determined.
   Result<CertificateReport> report() const;
+  /// A surface of lower energy near this one, whose points are those of all vertices: this one, moved along the
+  /// steepest direction that the search finds. Nothing where the report counts no direction, or none leads down. Costs
+  /// some tens of evaluations.
+  std::optional<SurfaceState> descent() const;
 
  private:
   struct State;

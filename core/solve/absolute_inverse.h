@@ -29,6 +29,8 @@ class AbsoluteInverse {
 
   /// With the same factor.
   Eigen::VectorXd solve(const SparseCholesky& factor, const Eigen::VectorXd& right) const;
+  /// The v with lambda < 0 that were found, S-orthonormal; as many columns as were `replaced`.
+  const Eigen::MatrixXd& vectors() const { return vectors_; }
   /// Number of eigenvalues that were replaced.
   int replaced() const { return static_cast<int>(vectors_.cols()); }
 

@@ -212,6 +212,22 @@ describe('--certify', () => {
     );
   });
 
+  test('with --descend, leads to a lower surface until there is a minimum, and tells what it left', () => {
+    const line = 'tetrahedron.obj --functional bending --levels 0..2 --descend';
+    const table = tableOf(line);
+    expect(table).toMatch(
+      /^left 143\.\d+ \(level 2, symmetry Td, order 24\): 2 directions lower the energy\nminimized bending, cap smooth, symmetry /m,
+    );
+    expect(table).toContain('\ncertificate: a local minimum among all surfaces near it');
+    const { problem, levels, certificate } = reportOf(line);
+    expect(problem.start.level).toBe(2);
+    expect(levels).toHaveLength(1);
+    // Lawson's surface of genus 3 with two junctions, at a coarse level.
+    expect(levels[0].energy_reported).toBeGreaterThan(141.54);
+    expect(levels[0].energy_reported).toBeLessThan(141.7);
+    expect(certificate.negative).toBe(0);
+  });
+
   test('tells one direction in the singular, and where there is no symmetry speaks of none', () => {
     const line = 'torus.obj --functional bending --levels 0..1 --certify';
     expect(tableOf(line)).toContain('\ncertificate: 1 direction lowers the energy: a minimum only within its symmetry');

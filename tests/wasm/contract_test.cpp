@@ -136,6 +136,8 @@ TEST_F(Contract, answers_a_null_pointer_with_a_status_and_writes_nothing) {
       umbilic_certificate_progress(certificate, nullptr),
       umbilic_certificate_report(nullptr, &answer),
       umbilic_certificate_report(certificate, nullptr),
+      umbilic_certificate_descent(nullptr, &level, &points, &count),
+      umbilic_certificate_descent(certificate, nullptr, &points, &count),
       umbilic_mesh_view(nullptr, &arrays),
       umbilic_mesh_view(mesh, nullptr),
       umbilic_mesh_obj(nullptr, &answer),

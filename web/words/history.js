@@ -80,6 +80,8 @@ export function stepName(action) {
       return 'reset';
     case 'entryLoaded':
       return 'open the catalog’s minimizer';
+    case 'answered':
+      return action.message.type === 'descended' ? 'descend' : null;
     default:
       return null;
   }

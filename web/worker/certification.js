@@ -16,11 +16,28 @@ export function createCertification({ post, yieldThen }) {
   /** @type {Certificate | null} */
   let certificate = null;
   let ready = false;
+  /** Whether a lower surface is wanted once it is ready. */
+  let descends = false;
 
   function drop() {
     certificate?.dispose();
     certificate = null;
     ready = false;
+    descends = false;
+  }
+
+  /** @param {number} run @param {Certificate} mine */
+  function tellLower(run, mine) {
+    descends = false;
+    post({ type: 'descended', run, state: mine.descent() });
+  }
+
+  /** @param {number} run @param {Minimizer} minimizer */
+  function begin(run, minimizer) {
+    drop();
+    const mine = minimizer.certify();
+    certificate = mine;
+    yieldThen(() => advance(run, mine));
   }
 
   /** @param {number} run @param {Certificate} mine */
@@ -31,15 +48,18 @@ export function createCertification({ post, yieldThen }) {
     if (!done) return yieldThen(() => advance(run, mine));
     ready = true;
     post({ type: 'certified', run, report: mine.report });
+    if (descends) yieldThen(() => certificate === mine && tellLower(run, mine));
   }
 
   return {
     /** Begins a certificate of the minimizer's best surface. @param {number} run @param {Minimizer} minimizer */
-    begin(run, minimizer) {
-      drop();
-      const mine = minimizer.certify();
-      certificate = mine;
-      yieldThen(() => advance(run, mine));
+    begin,
+
+    /** Tells a lower surface near the minimizer's best, when its certificate is ready. @param {number} run @param {Minimizer} minimizer */
+    descend(run, minimizer) {
+      if (certificate && ready) return tellLower(run, certificate);
+      if (!certificate) begin(run, minimizer);
+      descends = true;
     },
 
     /** Abandons the certificate, unless it is ready, which the page then knows. @param {number} run */

@@ -41,6 +41,10 @@
  * finally `certified`, or `failed`. Another run ends the test.
  * @typedef {{type: 'certify', run: number}} Certify
  *
+ * Looks for a surface of lower energy near that of a run at rest, which has a certificate that counts directions down; computes
+ * that first if need be. Answers as `certify`, and then `descended`, or `failed`.
+ * @typedef {{type: 'descend', run: number}} Descend
+ *
  * Answers `certificateAbandoned`, unless the certificate is ready.
  * @typedef {{type: 'abandonCertificate', run: number}} AbandonCertificate
  *
@@ -50,7 +54,7 @@
  *
  * Asks for the answer `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | AbandonCertificate | Deviate | Ping} Command
+ * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Deviate | Ping} Command
  */
 
 /** @typedef {'control' | 'limit' | 'report' | 'problem'} Exportable */
@@ -107,12 +111,15 @@
  * @typedef {{type: 'certificateAdvanced', run: number, progress: number}} CertificateAdvanced
  * @typedef {{type: 'certified', run: number, report: CertificateReport}} Certified
  * @typedef {{type: 'certificateAbandoned', run: number}} CertificateAbandoned
+ *
+ * The lower surface, to begin a run with.
+ * @typedef {{type: 'descended', run: number, state: {level: number, points: Float64Array}}} Descended
  * @typedef {{type: 'ponged'}} Ponged
  *
  * `input`: something is wrong with the user's file or options. `internal`: the worker can no longer be used.
  * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
  * @typedef {Started | Opened | Surfaced | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved | Exported |
- *   CertificateAdvanced | Certified | CertificateAbandoned | Ponged | Failed} Message
+ *   CertificateAdvanced | Certified | CertificateAbandoned | Descended | Ponged | Failed} Message
  */
 
 /** How many numbers a sample in `stepped` has. */
@@ -143,7 +150,7 @@ export function transferables(message) {
     if (message.deviations) views.push(message.deviations);
   } else if (message.type === 'stepped') {
     views = [message.samples];
-  } else if (message.type === 'saved') {
+  } else if (message.type === 'saved' || message.type === 'descended') {
     views = [message.state.points];
   }
   return views.map((view) => /** @type {ArrayBuffer} */ (view.buffer)).filter((buffer) => buffer.byteLength > 0);

@@ -203,6 +203,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
         return post({ type: 'exported', run, what: command.what, text: exported(command.what) });
       case 'certify':
         return pacing.pace === 'resting' ? certification.begin(run, current()) : undefined;
+      case 'descend':
+        return pacing.pace === 'resting' ? certification.descend(run, current()) : undefined;
       case 'abandonCertificate':
         return certification.abandon(run);
     }

@@ -2,9 +2,12 @@
 /**
  * @file What actions and the worker's messages make of the certificate in the page's state.
  */
-import { describe, expect, test } from '@jest/globals';
+import { beforeAll, describe, expect, test } from '@jest/globals';
+import { load } from '../../../wasm/umbilic.js';
+import { undoName } from '../../../web/pages/studio/state/history.js';
 import { initialState, reduce } from '../../../web/pages/studio/state/reduce.js';
 import { certificateButton } from '../../../web/pages/studio/state/select.js';
+import { createStudio } from './real.js';
 import {
   after,
   answered,
@@ -39,7 +42,9 @@ describe('a certificate', () => {
     expect(certificateButton(begun)).toEqual({ label: 'Cancel', action: 'certificateCancelPressed', enabled: true });
     const certified = after(begun, advanced(1), answer);
     expect(leaves(certified)).toMatchObject({ certifying: null, certificate: certificate() });
-    expect(certificateButton(certified).enabled).toBe(false);
+    expect(certificateButton(certified).action).toBe('descendPressed');
+    const minimum = answered({ type: 'certified', run: 1, report: { ...certificate(), negative: 0 } });
+    expect(certificateButton(after(begun, minimum)).enabled).toBe(false);
   });
 
   test('is cancelled once, and can be asked for again', () => {
@@ -76,5 +81,33 @@ describe('a certificate', () => {
     const broken = after(ended(), press, { ...loss, loss: 'broken', detail: 'not enough memory' });
     expect(broken.view.alert).toEqual({ title: 'The certificate broke off', message: 'not enough memory' });
     expect(leaves(after(broken, ...openedMessages(2)))).toMatchObject({ status: 'ended', stop: 'converged', run: 2 });
+  });
+});
+
+describe('a certificate that counts directions down', () => {
+  beforeAll(() => load());
+
+  test('offers to descend: a new run begins with a lower surface, and undo leads back', () => {
+    const studio = createStudio('?shape=tetrahedron-frame');
+    studio.do(
+      { type: 'settingsChanged', change: { functional: 'bending', levels: [0, 1] } },
+      { type: 'startPressed' },
+      { type: 'certifyPressed' },
+    );
+    const energy = () => Number(studio.state.document.result.levels.at(-1)?.energy);
+    const [before, { negative } = { negative: 0 }] = [energy(), studio.state.document.result.certificate ?? undefined];
+    expect(negative).toBeGreaterThan(0);
+    expect(certificateButton(studio.state)).toEqual({ label: 'Descend', action: 'descendPressed', enabled: true });
+    studio.do({ type: 'descendPressed' });
+    expect(leaves(studio.state)).toMatchObject({ status: 'ended', certificate: null });
+    expect(energy()).toBeLessThan(0.995 * before);
+    expect(studio.state.document.result.group?.name).not.toBe('Td');
+    expect(undoName(studio.state)).toBe('descend');
+    studio.do({ type: 'undoPressed' });
+    expect(energy()).toBe(before);
+    expect(studio.state.document.result.certificate?.negative).toBe(negative);
+    // The worker has forgotten the certificate, and computes it again.
+    studio.do({ type: 'descendPressed' });
+    expect(energy()).toBeLessThan(0.995 * before);
   });
 });

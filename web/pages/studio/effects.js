@@ -83,6 +83,9 @@ export function createEffects({ client, save, load, setAddress }) {
       case 'certifyPressed':
         if (certifyingOf(is) && !certifyingOf(was)) client.send({ type: 'certify', run });
         break;
+      case 'descendPressed':
+        if (certifyingOf(is) && !certifyingOf(was)) client.send({ type: 'descend', run });
+        break;
       case 'certificateCancelPressed':
         if (certifyingOf(is)?.abandoning && !certifyingOf(was)?.abandoning) {
           client.send({ type: 'abandonCertificate', run });

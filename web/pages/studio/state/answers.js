@@ -6,8 +6,11 @@
 import { SAMPLE_SIZE, withTopology } from '../../../worker/protocol.js';
 import { afterRetargeted } from './following.js';
 import { afterFailed, afterOpened } from './opened.js';
-import { certifyingOf, phases, withResult, withSession, withView } from './parts.js';
+import { keptOf } from './hold.js';
+import { beginOpening } from './opening.js';
+import { certifyingOf, phases, withDocument, withResult, withSession, withView } from './parts.js';
 
+/** @import {SurfaceState} from '../../../../wasm/types.js' */
 /** @import {Message, Surfaced} from '../../../worker/protocol.js' */
 /** @import {Sample, State} from './types.js' */
 
@@ -89,9 +92,26 @@ function afterRunMessage(state, message) {
     }
     case 'certified':
       return withoutCertifying(withResult(state, { certificate: message.report }));
+    case 'descended':
+      return afterDescended(withoutCertifying(state), message.state);
     case 'certificateAbandoned':
       return withoutCertifying(state);
   }
+}
+
+/** A new run of the same problem begins with the lower surface. @param {State} state @param {SurfaceState} start @returns {State} */
+function afterDescended(state, start) {
+  const { cage, settings, result } = state.document;
+  if (!cage || state.session.phase.name !== 'ended' || state.session.opening) return state;
+  const [first, last] = result.settings.levels;
+  const asked = { ...result.settings, ...keptOf(settings) };
+  asked.levels = [Math.min(first, start.level), Math.max(last, start.level)];
+  return beginOpening(withDocument(state, { settings: asked }), {
+    source: cage.source,
+    purpose: 'start',
+    then: 'run',
+    start,
+  });
 }
 
 /** @param {State} state @returns {State} */

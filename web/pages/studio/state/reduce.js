@@ -102,6 +102,12 @@ export function canBeCertified({ session: { phase, opening }, document }) {
   return phase.name === 'ended' && !opening && !phase.certifying && !document.result.certificate;
 }
 
+/** Whether the surface of an ended run is no minimum, so that the worker may find a lower one. @param {State} state */
+export function canDescend({ session: { phase, opening }, document }) {
+  const { certificate } = document.result;
+  return phase.name === 'ended' && !opening && !phase.certifying && certificate !== null && certificate.negative > 0;
+}
+
 /**
  * Starts, resumes or makes one step: of the current run, of the one being opened, or of a new one.
  * @param {State} state
@@ -217,6 +223,10 @@ function changed(state, action) {
     case 'certifyPressed':
       return canBeCertified(state)
         ? withSession(state, { phase: { name: 'ended', certifying: { progress: 0, abandoning: false } } })
+        : state;
+    case 'descendPressed':
+      return canDescend(state)
+        ? withSession(state, { phase: { name: 'ended', certifying: { progress: 1, abandoning: false } } })
         : state;
     case 'certificateCancelPressed': {
       const certifying = certifyingOf(session.phase);

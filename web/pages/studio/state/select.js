@@ -10,7 +10,7 @@ import { counted, integer } from '../../../words/numbers.js';
 import { showsEntry } from './entry.js';
 import { holdIsUsable } from './hold.js';
 import { askedOf, certifyingOf, evaluationsOf } from './parts.js';
-import { canBeCertified, settingsAreFree } from './reduce.js';
+import { canBeCertified, canDescend, settingsAreFree } from './reduce.js';
 import { activeWeights, problemWith } from './settings.js';
 
 /** @import {Energies, FunctionalName} from '../../../../wasm/types.js' */
@@ -55,6 +55,7 @@ export function runButtons(state) {
  */
 export function certificateButton(state) {
   const certifying = certifyingOf(state.session.phase);
+  if (canDescend(state)) return { label: 'Descend', action: 'descendPressed', enabled: true };
   if (!certifying) return { label: 'Certify', action: 'certifyPressed', enabled: canBeCertified(state) };
   return { label: 'Cancel', action: 'certificateCancelPressed', enabled: !certifying.abandoning };
 }

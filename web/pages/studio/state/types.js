@@ -216,7 +216,7 @@
  *   | {type: 'weightChanged', functional: FunctionalName, weight: number, moving?: boolean}
  *   | {type: 'startPressed'} | {type: 'pausePressed'} | {type: 'stepPressed'} | {type: 'cancelPressed'} | {type:
  * 'resetPressed'}
- *   | {type: 'certifyPressed'} | {type: 'certificateCancelPressed'}
+ *   | {type: 'certifyPressed'} | {type: 'descendPressed'} | {type: 'certificateCancelPressed'}
  *   | {type: 'entryLoaded', name: EntryName, entry: CatalogEntry, report: Report}
  *   | {type: 'entryMissing', name: EntryName, message: string, retry?: boolean}
  *   | {type: 'retryPressed'}
