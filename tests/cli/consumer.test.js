@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Whoever installs the native build can link it: from C++ and C with CMake's package, from C with pkg-config.
- * All get the energies of the command line.
+ * @file Whoever installs the native build can link it: from C++ and C with CMake's package, from C with pkg-config, and
+ * from Python. All get the energies of the command line.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, readdirSync, symlinkSync } from 'node:fs';
@@ -131,5 +131,17 @@ describe('the shared library', () => {
     const contract = readFileSync(path.join(root, 'wasm/api.h'), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
     const declared = [...contract.matchAll(/\b(umbilic_\w+)\(/g)].map(([, name]) => name);
     expect(exported.sort()).toEqual(declared.sort());
+  });
+
+  // Where there is no python3, which the project does not require.
+  testIf(works('python3', ['--version']))('does what the page on Python says', () => {
+    const page = readFileSync(path.join(root, 'wasm/python.md'), 'utf8');
+    const script = scratch.write('minimize.py', /```python\n([\s\S]*?)```/.exec(page)?.[1] ?? '');
+    const output = run('python3', [script, path.join(libraries, 'libumbilic.so')]);
+    const value = (/** @type {string} */ name) => Number(new RegExp(`^${name} (.*)$`, 'm').exec(output)?.[1]);
+    expect(value('bending')).toBe(report.energies.bending);
+    expect(value('willmore')).toBe(report.energies.willmore);
+    // 96 patches with 4 x 4 quads on a surface of genus 2, whose Euler characteristic is -2.
+    expect(output).toMatch(/^1534 vertices, the first at \[/m);
   });
 });
