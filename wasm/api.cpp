@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 
 #include "base/threads.h"
 #include "cage/generate.h"
@@ -23,6 +24,13 @@ using namespace umbilic;
 using namespace umbilic::api;
 
 static_assert(kLongestJson == UMBILIC_MAX_TEXT);
+
+// The header's version is that of package.json, which the build passes.
+#define UMBILIC_DIGITS(number) #number
+#define UMBILIC_JOIN(major, minor, patch) UMBILIC_DIGITS(major) "." UMBILIC_DIGITS(minor) "." UMBILIC_DIGITS(patch)
+static_assert(std::string_view(UMBILIC_VERSION) ==
+                  UMBILIC_JOIN(UMBILIC_VERSION_MAJOR, UMBILIC_VERSION_MINOR, UMBILIC_VERSION_PATCH),
+              "the version in api.h is not that of package.json");
 
 namespace {
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * \file
- * The C contract of umbilic, the same for the WebAssembly module and the native library.
+ * The C contract of umbilic, the same for the WebAssembly module and the native libraries. Installed, it is
+ * <umbilic/api.h>; paths in comments are those of the project's folder `core`, installed beside it without `core/`
+ * (core/problem/text.h is <umbilic/problem/text.h>).
  *
  *     umbilic_run* run;
  *     const char problem[] = "{\"umbilic\": \"problem\", \"version\": 1, \"cage\": {\"generator\": \"two-3\"},"
@@ -28,7 +30,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Increases when the meaning of a function or struct in this file changes. */
+/** The version of the library that this header belongs to. */
+#define UMBILIC_VERSION_MAJOR 0
+#define UMBILIC_VERSION_MINOR 2
+#define UMBILIC_VERSION_PATCH 0
+
+/** Increases when the meaning of a function or struct in this file changes; the shared library's SOVERSION. */
 #define UMBILIC_API_VERSION 3
 
 /** Length of the longest text that is read, in bytes. */
@@ -60,10 +67,15 @@ typedef struct umbilic_text {
   size_t length;
 } umbilic_text;
 
+/* What follows is exported by the shared library, which keeps all else to itself. */
+#if defined(__GNUC__) && !defined(__EMSCRIPTEN__)
+#pragma GCC visibility push(default)
+#endif
+
 /** UMBILIC_API_VERSION of the library, to be compared with that of the header. */
 int32_t umbilic_api_version(void);
 
-/** Version of the program, in static storage. */
+/** UMBILIC_VERSION_MAJOR.MINOR.PATCH of the library, in static storage: "0.2.0". */
 const char* umbilic_version(void);
 
 /**
@@ -221,6 +233,10 @@ umbilic_status umbilic_mesh_view(const umbilic_mesh* mesh, umbilic_mesh_arrays* 
 umbilic_status umbilic_mesh_obj(const umbilic_mesh* mesh, umbilic_text* obj);
 
 void umbilic_mesh_destroy(umbilic_mesh* mesh);
+
+#if defined(__GNUC__) && !defined(__EMSCRIPTEN__)
+#pragma GCC visibility pop
+#endif
 
 #ifdef __cplusplus
 }

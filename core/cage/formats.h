@@ -28,6 +28,22 @@ bool is_off(std::string_view text);
 Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits = {});
 Result<PolygonFile> parse_off(std::string_view text, const ReadLimits& limits = {});
 
+inline Error at_line(int line, const std::string& message) {
+  return Error{"line " + std::to_string(line) + ": " + message};
+}
+
+/// Elements of one kind that have what is not read.
+struct Ignored {
+  int count = 0;
+  int first_line = 0;
+
+  void add(int line) {
+    if (count++ == 0) first_line = line;
+  }
+  /// "on line 7", or "the first on line 7".
+  std::string where() const { return (count == 1 ? "on line " : "the first on line ") + std::to_string(first_line); }
+};
+
 /// Collects vertices while a file is read.
 class VertexList {
  public:

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "cage/formats.h"
 #include "cage/text.h"
@@ -68,7 +71,42 @@ Result<int> parse_corner(std::string_view word, int known) {
   return static_cast<int>(*index - 1);
 }
 
-Error at_line(int line, const std::string& message) { return Error{fmt::format("line {}: {}", line, message)}; }
+/// What stands behind the coordinates of vertices: a weight, which only rational curves and surfaces have a use for, or
+/// a colour, which is no part of the format but often written.
+class BehindVertices {
+ public:
+  /// The words behind a vertex. The error names no line.
+  std::optional<Error> append(std::string_view words, int vertex, int line) {
+    int numbers = 0;
+    bool one = false;
+    for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
+      const auto number = parse_number(word);
+      if (!number) {
+        return Error{fmt::format("{} behind the coordinates of vertex {} is not a number", in_quotes(word), vertex)};
+      }
+      one = *number == 1;
+      ++numbers;
+    }
+    if (numbers == 1 && !one) weights_.add(line);
+    if (numbers == 3 || numbers == 4) colours_.add(line);
+    if (numbers == 2 || numbers > 4) others_.add(line);
+    return std::nullopt;
+  }
+
+  void add_notes(std::vector<std::string>& notes) const {
+    const auto add = [&](const Ignored& ignored, std::string_view what, std::string_view why) {
+      if (ignored.count == 0) return;
+      notes.push_back(fmt::format("ignored the {} of {} {} ({}){}", what, ignored.count,
+                                  ignored.count == 1 ? "vertex" : "vertices", ignored.where(), why));
+    };
+    add(weights_, "weights", ": polygons have no use for them");
+    add(colours_, "colours", "");
+    add(others_, "numbers behind the coordinates", ", which are neither a weight nor a colour");
+  }
+
+ private:
+  Ignored weights_, colours_, others_;
+};
 
 }  // namespace
 
@@ -77,6 +115,7 @@ Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits) {
   VertexList vertices(limits.vertices);
   GroupList groups(limits);
   TagCounts tags;
+  BehindVertices behind;
   Statements statements(text);
   while (const auto statement = statements.next()) {
     std::string_view words = statement->text;
@@ -84,6 +123,9 @@ Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits) {
     if (keyword == "v") {
       const auto position = vertices.append(words);
       if (!position) return at_line(statement->number, position.error().message);
+      if (const auto error = behind.append(words, vertices.size(), statement->number)) {
+        return at_line(statement->number, error->message);
+      }
       file.source.vertex_lines.push_back(statement->number);
     } else if (keyword == "f") {
       if (static_cast<int>(file.cage.faces.size()) == limits.faces) {
@@ -121,6 +163,7 @@ Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits) {
   file.cage.vertices = vertices.points();
   file.cage.groups = groups.take();
   file.notes = tags.notes();
+  behind.add_notes(file.notes);
   return file;
 }
 

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <new>
+#include <stdexcept>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
@@ -21,14 +22,16 @@ int run_command_line(int argc, const char* const* argv) {
   app.get_formatter()->column_width(32);
   app.require_subcommand(0, 1);  // so that the error names a misspelt command
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return fmt::format("umbilic: {}\nRun with --help for more information.\n", error.what());
+    return fmt::format("umbilic: {}\nRun with --help for more information.\n", printable_lines(error.what()));
   });
   app.footer(
       "CAGE is an OBJ or OFF file of a polygon mesh, closed or open, or - for standard input.\n"
       "Exit codes: 0 ended with a result, 1 check-gradient or catalog --check found a mismatch, 2 bad usage,\n"
-      "3 bad input, 4 cannot write, 5 the energies are not the surface's (evaluate, optimize), 130 interrupted, with\n"
-      "what there was written.");
-  std::signal(SIGXFSZ, SIG_IGN);  // treats reaching a file-size limit as a failed write
+      "3 bad input, 4 cannot write, 5 the energies are not the surface's (evaluate, optimize), 6 out of memory,\n"
+      "130 interrupted, with what there was written.");
+  // Reaching a file-size limit, and writing where nobody reads any more, become failed writes.
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   int exit_code = kEnded;
   add_instruction_set_option(app);
   add_cage_command(app, exit_code);
@@ -46,7 +49,9 @@ int run_command_line(int argc, const char* const* argv) {
     app.exit(error);
     return asked_for ? kEnded : kBadUsage;
   } catch (const std::bad_alloc&) {
-    return fail(kBadInput, "out of memory");
+    return fail(kOutOfMemory, "out of memory");
+  } catch (const std::length_error&) {  // of a container that could not be addressed
+    return fail(kOutOfMemory, "out of memory");
   }
   return exit_code;
 }

@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "cage/text.h"
+
 namespace umbilic::cli {
 
 namespace {
@@ -27,8 +29,16 @@ std::string describe(const Progress& progress) {
 
 }  // namespace
 
+std::string printable_lines(std::string_view text) {
+  std::string out;
+  for (std::size_t end = 0; (end = text.find('\n')) != text.npos; text.remove_prefix(end + 1)) {
+    out.append(printable(text.substr(0, end))).append("\n");
+  }
+  return out.append(printable(text));
+}
+
 int fail(int exit_code, std::string_view message) {
-  write_error(fmt::format("umbilic: {}\n", message));
+  write_error(fmt::format("umbilic: {}\n", printable_lines(message)));
   return exit_code;
 }
 

@@ -13,7 +13,11 @@
 
 namespace umbilic::cli {
 
-/// Prints "umbilic: message" to standard error and returns `exit_code`.
+/// `text` with '?' for all that would do something to a terminal but end its lines: names of files and arguments may
+/// hold anything.
+std::string printable_lines(std::string_view text);
+
+/// Prints "umbilic: message", made printable, to standard error and returns `exit_code`.
 int fail(int exit_code, std::string_view message);
 
 /// Prints a result to standard output; false, with a message, when that cannot be written.

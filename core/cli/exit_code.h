@@ -14,8 +14,9 @@ enum ExitCode {
   /// The energies are not finite, or not the surface's: below a bound that holds for every closed surface, or with
   /// curvature hidden between the samples. Everything is written all the same.
   kNotCredible = 5,
-  /// optimize and catalog: ended by SIGINT or SIGTERM before their time; what there was is written. As a shell has it
-  /// of a program that SIGINT ends.
+  kOutOfMemory = 6,  ///< the system refused memory; what was computed so far is lost
+  /// optimize and catalog: ended by SIGINT, SIGTERM or SIGHUP before their time; what there was is written. As a shell
+  /// has it of a program that SIGINT ends.
   kInterrupted = 130,
 };
 

@@ -25,11 +25,13 @@ InterruptWatch::InterruptWatch() {
   g_interrupted = 0;
   std::signal(SIGINT, umbilic_remember_interrupt);
   std::signal(SIGTERM, umbilic_remember_interrupt);
+  if (std::signal(SIGHUP, umbilic_remember_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 InterruptWatch::~InterruptWatch() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  if (std::signal(SIGHUP, SIG_DFL) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 bool InterruptWatch::interrupted() const { return g_interrupted != 0; }

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cage/text.h"
+
 namespace umbilic::cli {
 
 namespace {
@@ -59,7 +61,7 @@ std::string ratio(double value, double unit, std::string_view unit_name) {
 }  // namespace
 
 std::string input_line(std::string_view name, const CageReport& report) {
-  std::string text = fmt::format("{}: {}, {}, {}", name, plural(report.vertices, "vertex", "vertices"),
+  std::string text = fmt::format("{}: {}, {}, {}", printable(name), plural(report.vertices, "vertex", "vertices"),
                                  plural(report.edges, "edge", "edges"), plural(report.faces, "face", "faces"));
   if (report.holes > 0) text += fmt::format(", {}", plural(report.holes, "hole", "holes"));
   if (report.components.size() > 1) text += fmt::format(", {} components", report.components.size());

@@ -26,6 +26,13 @@ std::string rich_off() {
          "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 }
 
+/// Without keyword, and with lines that end anywhere.
+std::string wrapped_off() {
+  return "8 6 12 -1 -1 -1 # first\n1 -1 -1 1 1 -1 -1 1 -1 -1 -1 1 1\n-1 1 1 1\n\n1e0 -1 1 1 4\n0 3 2 1\n4 4 5 6 7 255 "
+         "0 0\n4 0 1 5\n4 .5\n"
+         "4 1 2 6 5\n4 2 3\n7 6\n4 3 0 4 7\n";
+}
+
 /// The boundary loops are those of the report, and groups survive writing.
 void expect_consistent(const Cage& cage, const CageReport& report) {
   const std::vector<std::vector<int>> loops = boundary_loops(cage);
@@ -81,10 +88,12 @@ TEST(HostileText, the_texts_that_the_other_tests_damage_are_cubes) {
   EXPECT_EQ(cage_of(rich_obj()).faces.size(), 6u);
   EXPECT_EQ(cage_of(rich_off()).faces.size(), 6u);
   EXPECT_EQ(cage_of(rich_obj()).vertices, cage_of(rich_off()).vertices);
+  EXPECT_EQ(cage_of(rich_off()).vertices, cage_of(wrapped_off()).vertices);
+  EXPECT_EQ(cage_of(rich_off()).faces, cage_of(wrapped_off()).faces);
 }
 
 TEST(HostileText, every_truncation_is_a_cage_or_has_a_reason) {
-  for (const std::string& text : {rich_obj(), rich_off(), tetrahedron_obj(), tetrahedron_off()}) {
+  for (const std::string& text : {rich_obj(), rich_off(), wrapped_off(), tetrahedron_obj(), tetrahedron_off()}) {
     for (std::size_t length = 0; length < text.size(); ++length) expect_cage_or_reason(text.substr(0, length));
   }
 }
@@ -103,7 +112,7 @@ TEST(HostileText, a_truncation_before_the_last_digits_is_never_a_closed_cage) {
 TEST(HostileText, random_changes_of_bytes_give_a_cage_or_a_reason) {
   std::mt19937 random(20240229);
   const std::string alphabet = "0123456789-+.eE/\\# \n\r\tvfngotOFC\xff\x80x";
-  for (const std::string& original : {rich_obj(), rich_off()}) {
+  for (const std::string& original : {rich_obj(), rich_off(), wrapped_off()}) {
     for (int trial = 0; trial < 4000; ++trial) {
       std::string text = original;
       for (unsigned changes = 1 + random() % 6; changes > 0; --changes) {

@@ -63,9 +63,30 @@ TEST(ReadObj, an_error_in_a_continued_line_is_counted_from_where_it_begins) {
   EXPECT_EQ(error_of("v 1 1 \\\n\\\n1\nv 1 2 x\n"), "line 4: coordinate 'x' of vertex 2 is not a number");
 }
 
-TEST(ReadObj, weights_and_colours_behind_a_vertex_are_ignored) {
-  expect_tetrahedron("v 1 1 1 1\nv 1 -1 -1 0.5 0.5 0.5\nv -1 1 -1 red\nv -1 -1 1 1 0 0 1\n" +
-                     std::string(kTetrahedronFaces));
+TEST(ReadObj, weights_and_colours_behind_a_vertex_are_ignored_and_that_is_said) {
+  const std::string faces(kTetrahedronFaces);
+  const auto notes = [](std::string_view text) { return read_checked_cage(text).value().report.notes; };
+  const std::string weights = "v 1 1 1 1\nv 1 -1 -1 0.5\nv -1 1 -1 1.0\nv -1 -1 1\n" + faces;
+  expect_tetrahedron(weights);  // the weight of a rational surface's point does not move it
+  EXPECT_EQ(notes(weights),
+            std::vector<std::string>{"ignored the weights of 1 vertex (on line 2): polygons have no use for them"});
+  const std::string colours = "v 1 1 1\nv 1 -1 -1 0.5 0.5 0.5\nv -1 1 -1 1 0 0 1\nv -1 -1 1 0 0 0\n" + faces;
+  expect_tetrahedron(colours);
+  EXPECT_EQ(notes(colours), std::vector<std::string>{"ignored the colours of 3 vertices (the first on line 2)"});
+  EXPECT_EQ(notes("v 1 1 1 1\nv 1 -1 -1 1\nv -1 1 -1 1\nv -1 -1 1 1\n" + faces), std::vector<std::string>{});
+}
+
+TEST(ReadObj, other_words_behind_a_vertex_are_refused) {
+  EXPECT_EQ(error_of("v 1 1 1\nv 1 -1 -1 red\n"), "line 2: 'red' behind the coordinates of vertex 2 is not a number");
+  EXPECT_EQ(error_of("v 1 1 1 v 1 -1 -1\n"), "line 1: 'v' behind the coordinates of vertex 1 is not a number");
+}
+
+TEST(ReadObj, other_numbers_behind_a_vertex_are_likely_a_mistake_which_is_said) {
+  const std::string text = "v 1 1 1\nv 1 -1 -1 2 3\nv -1 1 -1 1 2 3 4 5\nv -1 -1 1\n" + std::string(kTetrahedronFaces);
+  expect_tetrahedron(text);
+  EXPECT_EQ(read_checked_cage(text).value().report.notes,
+            std::vector<std::string>{"ignored the numbers behind the coordinates of 2 vertices (the first on line 2), "
+                                     "which are neither a weight nor a colour"});
 }
 
 TEST(ReadObj, numbers_are_read_to_the_last_digit) {
