@@ -25,7 +25,6 @@ const effects = createEffects({
   dispatch: (action) => dispatch(action),
   makeSurface: createRequests(() => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' })),
   loadReport,
-  loadFormats: () => import('./files/mesh_formats.js'),
   save: saveFile,
   setAddress(search, how) {
     const address = location.pathname + search;

@@ -10,6 +10,7 @@ import { createDesk } from './pages/studio/desk.js';
 import { createKeeper } from './pages/studio/keeper.js';
 import { loadEntry } from './pages/studio/load_entry.js';
 import { createOwnership } from './pages/studio/ownership.js';
+import { fileName, typeOf } from './pages/studio/names.js';
 import { isProject } from './pages/studio/project.js';
 import { initialState } from './pages/studio/state/reduce.js';
 import { createBoundariesView } from './pages/studio/views/boundaries.js';
@@ -17,14 +18,16 @@ import { createCageView } from './pages/studio/views/cage.js';
 import { createCertificateView } from './pages/studio/views/certificate.js';
 import { createClosenessView } from './pages/studio/views/closeness.js';
 import { createDocumentsView } from './pages/studio/views/documents.js';
+import { createDownloadsView } from './pages/studio/views/downloads.js';
 import { createDropView, createFileTaker } from './pages/studio/views/drop.js';
 import { createEditView } from './pages/studio/views/edit.js';
 import { createEntryView } from './pages/studio/views/entry.js';
 import { createHeldKeyView, createHoldView } from './pages/studio/views/hold.js';
 import { createLimitView } from './pages/studio/views/limit.js';
-import { createAlertView, createDownloadsView } from './pages/studio/views/notices.js';
+import { createAlertView } from './pages/studio/views/notices.js';
 import { createObjectiveView } from './pages/studio/views/objective.js';
 import { createPinsView } from './pages/studio/views/pins.js';
+import { takePicture } from './pages/studio/views/picture.js';
 import { createPlotView } from './pages/studio/views/plot.js';
 import { createRunView } from './pages/studio/views/run.js';
 import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
@@ -61,6 +64,7 @@ const desk = createDesk({
   outside: {
     connect: (hear) => createClient({ createWorker, ...hear }),
     save: saveFile,
+    takePicture: savePicture,
     load: async (name) => {
       const loaded = name.shape === wanted?.shape && name.functional === wanted.functional ? early : null;
       early = null;
@@ -81,6 +85,25 @@ function dispatch(action) {
   if (action.type === 'viewChanged' && action.change.theme) storeTheme(action.change.theme);
   if (action.type === 'fileChosen' && isProject(action.text)) desk.openProject(action.name, action.text);
   else desk.dispatch(action);
+}
+
+/** How the surface on the screen is coloured. @type {Pick<import('./pages/studio/views/picture.js').Seen, 'range' | 'dark'>} */
+let seen = { range: null, dark: false };
+
+/**
+ * @param {import('./pages/studio/state/types.js').State} state
+ * @param {import('./pages/studio/state/types.js').DownloadOptions} options
+ * @returns {Promise<Action>}
+ */
+async function savePicture(state, options) {
+  try {
+    const { createSurfaceView } = await drawing;
+    const picture = await takePicture(byId('surface'), createSurfaceView, { state, ...seen }, options);
+    saveFile(fileName(state, 'picture', options), await picture.arrayBuffer(), typeOf('picture'));
+    return { type: 'pictureTaken', failure: null };
+  } catch (error) {
+    return { type: 'pictureTaken', failure: error instanceof Error ? error.message : String(error) };
+  }
 }
 
 function saveProject() {
@@ -128,9 +151,9 @@ const plain = [
   createLevelsView(byId('levels')),
   createLimitView(byId('limit')),
   createCertificateView(byId('certificate'), dispatch),
-  createDownloadsView(byId('downloads'), dispatch),
   createAlertView(byId('alert'), dispatch),
 ];
+const downloads = createDownloadsView(byId('downloads'), dispatch, byId('surface'));
 createDropView(byId('drop'), takeFiles);
 createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')));
 
@@ -146,6 +169,8 @@ function show() {
     occasion: `${state.session.run} ${state.session.phase.name === 'running'}`,
   });
   surface?.update(state, range, dark);
+  downloads.update(state, range);
+  seen = { range, dark };
   for (const view of plain) view.update(state);
   documents.update({ tabs: desk.tabs(), canReopen: desk.canReopen, unkept });
   setText(byId('version'), state.session.version);

@@ -32,7 +32,7 @@ function open(search, options = {}) {
 
 /** Waits until the worker has sent the fine surface, which follows the coarse one. @param {Page} page */
 async function complete(page) {
-  await page.locator('#downloads [name=control]:not([aria-disabled=true])').waitFor();
+  await page.locator('#downloads [name=save]:not([aria-disabled=true])').waitFor();
 }
 
 /** @param {Page} page the address that its button copies, from the question mark on */

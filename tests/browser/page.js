@@ -162,12 +162,21 @@ export async function settled(page) {
   await drawn(page);
 }
 
-/** The text of a download, by the name of its button. @param {Page} page @param {string} name */
-export async function downloadedText(page, name) {
-  const button = page.locator(`#downloads [name=${name}]:not([aria-disabled=true])`);
+/**
+ * Saves a file from the studio's downloads, once there is something to save.
+ * @param {Page} page
+ * @param {import('../../web/pages/studio/state/types.js').Download} what
+ * @returns {Promise<{name: string, content: Buffer}>}
+ */
+export async function download(page, what) {
+  await page.locator('#downloads [name=what]').selectOption(what);
+  const button = page.locator('#downloads [name=save]:not([aria-disabled=true])');
   const [saved] = await Promise.all([page.waitForEvent('download'), button.click()]);
-  return readFileSync(await saved.path(), 'utf8');
+  return { name: saved.suggestedFilename(), content: readFileSync(await saved.path()) };
 }
+
+/** The text of a download. @param {Page} page @param {Parameters<typeof download>[1]} what */
+export const downloadedText = async (page, what) => (await download(page, what)).content.toString();
 
 /** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
 export async function dropFile(page, name, text) {

@@ -81,7 +81,12 @@ function createPage() {
   /** @type {string[]} */
   const addresses = [];
   const desk = createDesk({
-    outside: { connect, save() {}, load: async (name) => ({ type: 'entryMissing', name, message: 'none' }) },
+    outside: {
+      connect,
+      save() {},
+      takePicture: async () => ({ type: 'pictureTaken', failure: null }),
+      load: async (name) => ({ type: 'entryMissing', name, message: 'none' }),
+    },
     keeper: createKeeper({ ask, told() {} }),
     ownership: createOwnership(undefined),
     setAddress: (search) => addresses.push(search),

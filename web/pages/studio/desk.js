@@ -30,7 +30,7 @@ const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).sli
 
 /**
  * @param {object} surroundings
- * @param {Pick<Surroundings, 'connect' | 'save' | 'load'>} surroundings.outside
+ * @param {Pick<Surroundings, 'connect' | 'save' | 'takePicture' | 'load'>} surroundings.outside
  * @param {ReturnType<typeof createKeeper>} surroundings.keeper
  * @param {ReturnType<typeof createOwnership>} surroundings.ownership
  * @param {(search: string, id: string) => void} surroundings.setAddress of the document on the screen

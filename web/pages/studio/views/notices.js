@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The alert below the surface, and the downloads.
+ * @file The alert below the surface.
  */
-import { element, find, onPress, setEnabled, whenChanged } from '../../../views/dom.js';
-import { certifyingOf } from '../state/parts.js';
+import { element, find, whenChanged } from '../../../views/dom.js';
 
 /** @import {Action, State, View} from '../state/types.js' */
 
@@ -31,35 +30,6 @@ export function createAlertView(root, dispatch) {
   return {
     /** @param {State} state */
     update: (state) => show(state.view.alert),
-    dispose: () => listening.abort(),
-  };
-}
-
-/**
- * @param {HTMLElement} root
- * @param {(action: Action) => void} dispatch
- */
-export function createDownloadsView(root, dispatch) {
-  const listening = new AbortController();
-  const names = /** @type {const} */ (['control', 'limit', 'report', 'problem']);
-  const buttons = names.map((name) => {
-    const button = /** @type {HTMLButtonElement} */ (find(root, `[name=${name}]`));
-    onPress(button, () => dispatch({ type: 'downloadPressed', what: name }), listening.signal);
-    return button;
-  });
-  return {
-    /** @param {State} state */
-    update(state) {
-      const { session, view } = state;
-      const { saved, latest } = state.document.result;
-      const [control, limit, report, problem] = buttons;
-      const { exporting, opening, phase } = session;
-      const busy = exporting || opening || certifyingOf(phase) || phase.name === 'unavailable';
-      setEnabled(limit, view.surface !== null && !busy);
-      setEnabled(control, saved !== null && !busy);
-      setEnabled(report, latest !== null && !busy);
-      setEnabled(problem, view.surface !== null && !busy);
-    },
     dispose: () => listening.abort(),
   };
 }
