@@ -8,6 +8,7 @@ import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { createDesk } from './pages/studio/desk.js';
 import { createKeeper } from './pages/studio/keeper.js';
+import { linkOf, problemIn } from './pages/studio/link.js';
 import { loadEntry } from './pages/studio/load_entry.js';
 import { createOwnership } from './pages/studio/ownership.js';
 import { fileName, typeOf } from './pages/studio/names.js';
@@ -151,11 +152,20 @@ const plain = [
   createLevelsView(byId('levels')),
   createLimitView(byId('limit')),
   createCertificateView(byId('certificate'), dispatch),
-  createAlertView(byId('alert'), dispatch),
+  createAlertView(byId('alert'), dispatch, saveProject),
 ];
 const downloads = createDownloadsView(byId('downloads'), dispatch, byId('surface'));
 createDropView(byId('drop'), takeFiles);
-createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')));
+createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')), async () => {
+  const found = await linkOf(desk.state);
+  if ('link' in found) return new URL(found.link || location.pathname, location.href).href;
+  dispatch({ type: 'linkRefused', message: found.refused });
+  return null;
+});
+addEventListener('hashchange', async () => {
+  const problem = await problemIn(location.hash);
+  if (problem) desk.openBeside(problem);
+});
 
 function show() {
   if (!desk.isOpen) return;
@@ -186,7 +196,12 @@ addEventListener('beforeunload', (event) => {
 // The drawing code is the largest part of the page; it is loaded while the worker starts.
 const drawing = import('./pages/studio/views/surface.js');
 drawing.catch(() => {}); // handled below
-await desk.restore({ search: location.search, shown: history.state?.document ?? null, theme: storedTheme() });
+await desk.restore({
+  search: location.search,
+  shown: history.state?.document ?? null,
+  theme: storedTheme(),
+  problem: await problemIn(location.hash),
+});
 try {
   const { createSurfaceView } = await drawing;
   surface = createSurfaceView(byId('surface'), dispatch);

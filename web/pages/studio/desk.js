@@ -5,7 +5,7 @@
  */
 import { parseStudioAddress } from '../../address/studio.js';
 import { projectName } from './names.js';
-import { createOpenDocument } from './open_document.js';
+import { createOpenDocument, withFile } from './open_document.js';
 import { formatProject, parseProject } from './project.js';
 import { isBusy, isUntouched, keepsOther, keptFrom, stateFrom } from './state/kept.js';
 import { withView } from './state/parts.js';
@@ -14,7 +14,7 @@ import { documentName } from './state/select.js';
 
 /** @import {Stored} from '../../worker/store.js' */
 /** @import {createKeeper, Copy, Writer} from './keeper.js' */
-/** @import {OpenDocument, Surroundings} from './open_document.js' */
+/** @import {OfferedFile, OpenDocument, Surroundings} from './open_document.js' */
 /** @import {createOwnership} from './ownership.js' */
 /** @import {Action, State} from './state/types.js' */
 
@@ -136,11 +136,11 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
 
   /**
    * Brings back what was open in this browser tab, or in any if there is nothing of its own, and shows what the page was asked for: the document that it showed before a reload, one
-   * with the address, or a new one.
-   * @param {{search: string, shown: string | null, theme: State['view']['theme']}} asked `shown` is the document that this
-   *   page showed
+   * with the address, or a new one; or else the problem of a link.
+   * @param {{search: string, shown: string | null, theme: State['view']['theme'], problem?: OfferedFile | null}} asked `shown` is
+   *   the document that this page showed
    */
-  async function restore({ search, shown, theme }) {
+  async function restore({ search, shown, theme, problem = null }) {
     const begun = initialState(theme, parseStudioAddress(search));
     const all = await keeper.list().catch(() => []);
     const order = all.filter((one) => !one.closed).sort((a, b) => (a.id < b.id ? -1 : 1));
@@ -155,7 +155,8 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     // Those of a page that is gone. One that is being loaded again must not find them taken.
     const others = order.filter(({ id, content }) => !open.has(id) && content.past.length + content.future.length > 0);
     closed = [...closed, ...(await ownership.free(others.map(({ id }) => id)))];
-    if (chosen) show(chosen);
+    if (problem) begin(withFile(begun, problem));
+    else if (chosen) show(chosen);
     else begin(begun);
     for (const { id, document } of open.values()) {
       if (id !== active && document.state.session.phase.name === 'running') document.wake();
@@ -235,6 +236,12 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
         const message = error instanceof Error ? error.message : String(error);
         before.document.dispatch({ type: 'fileRefused', name, message });
       }
+    },
+
+    /** Opens a file as a document of its own. @param {OfferedFile} file */
+    openBeside(file) {
+      const { theme } = current().document.state.view;
+      begin(withFile(initialState(theme, parseStudioAddress('')), file));
     },
 
     /** Opens a new document with the shape that the studio begins with. */

@@ -26,6 +26,17 @@ import { reduce } from './state/reduce.js';
 
 /** @typedef {ReturnType<typeof createOpenDocument>} OpenDocument */
 
+/** A file, or what took its place, that could be read or not. @typedef {{name: string} & ({text: Uint8Array} | {refused: string})} OfferedFile */
+
+/** A state that begins with a file. @param {State} begun @param {OfferedFile} file @returns {State} */
+export const withFile = (begun, file) =>
+  reduce(
+    begun,
+    'text' in file
+      ? { type: 'fileChosen', name: file.name, text: file.text }
+      : { type: 'fileRefused', name: file.name, message: file.refused },
+  );
+
 /**
  * @param {State} begun
  * @param {Surroundings} surroundings

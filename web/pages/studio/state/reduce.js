@@ -248,6 +248,8 @@ function changed(state, action) {
       return undone(state);
     case 'redoPressed':
       return redone(state);
+    case 'linkRefused':
+      return withView(state, { alert: { title: 'There is no link', message: action.message, save: true } });
     case 'alertDismissed':
       return withView(state, { alert: null });
     case 'answered':

@@ -102,7 +102,10 @@
  * @typedef {{entry: CatalogEntry, settings: Settings}} OpenEntry
  */
 
-/** `retry` is what can be tried again: to load the core, or an entry of the catalog. @typedef {{title: string, message: string, retry?: 'core' | EntryName}} Alert */
+/**
+ * `retry` is what can be tried again: to load the core, or an entry of the catalog. `save`: whether to offer to save the project.
+ * @typedef {{title: string, message: string, retry?: 'core' | EntryName, save?: boolean}} Alert
+ */
 
 /**
  * What came out of a problem: the run on the screen.
@@ -231,6 +234,7 @@
  *   | {type: 'pictureTaken', failure: string | null}
  *   | {type: 'undoPressed'} | {type: 'redoPressed'}
  *   | {type: 'wakened'}
+ *   | {type: 'linkRefused', message: string}
  *   | {type: 'alertDismissed'}
  *   | {type: 'answered', message: Message}
  *   | {type: 'workerLost', loss: Loss, detail: string}} Action

@@ -9,8 +9,9 @@ import { element, find, whenChanged } from '../../../views/dom.js';
 /**
  * @param {HTMLElement} root
  * @param {(action: Action) => void} dispatch
+ * @param {() => void} save the document as a file
  */
-export function createAlertView(root, dispatch) {
+export function createAlertView(root, dispatch, save) {
   const listening = new AbortController();
   const box = find(root, 'div');
   find(root, '.dismiss').addEventListener('click', () => dispatch({ type: 'alertDismissed' }), {
@@ -19,12 +20,16 @@ export function createAlertView(root, dispatch) {
   const show = whenChanged((/** @type {View['alert']} */ alert) => {
     root.hidden = !alert;
     if (!alert) return box.replaceChildren();
-    const again = element('button', { type: 'button' }, 'Try again');
-    again.addEventListener('click', () => dispatch({ type: 'retryPressed' }), { signal: listening.signal });
+    const button = (/** @type {string} */ words, /** @type {() => void} */ press) => {
+      const made = element('button', { type: 'button' }, words);
+      made.addEventListener('click', press, { signal: listening.signal });
+      return made;
+    };
     box.replaceChildren(
       element('strong', {}, alert.title),
       element('p', {}, alert.message),
-      ...(alert.retry ? [again] : []),
+      ...(alert.retry ? [button('Try again', () => dispatch({ type: 'retryPressed' }))] : []),
+      ...(alert.save ? [button('Save project', save)] : []),
     );
   });
   return {
