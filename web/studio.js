@@ -27,6 +27,7 @@ import { createHeldKeyView, createHoldView } from './pages/studio/views/hold.js'
 import { createLimitView } from './pages/studio/views/limit.js';
 import { createAlertView } from './pages/studio/views/notices.js';
 import { createObjectiveView } from './pages/studio/views/objective.js';
+import { createPasteView } from './pages/studio/views/paste.js';
 import { createPinsView } from './pages/studio/views/pins.js';
 import { takePicture } from './pages/studio/views/picture.js';
 import { createPlotView } from './pages/studio/views/plot.js';
@@ -84,8 +85,7 @@ const desk = createDesk({
 /** @param {Action} action */
 function dispatch(action) {
   if (action.type === 'viewChanged' && action.change.theme) storeTheme(action.change.theme);
-  if (action.type === 'fileChosen' && isProject(action.text)) desk.openProject(action.name, action.text);
-  else desk.dispatch(action);
+  desk.dispatch(action);
 }
 
 /** How the surface on the screen is coloured. @type {Pick<import('./pages/studio/views/picture.js').Seen, 'range' | 'dark'>} */
@@ -112,7 +112,17 @@ function saveProject() {
   if (project) saveFile(project.name, project.text, 'application/json');
 }
 
-const takeFiles = createFileTaker(dispatch);
+const takeFiles = createFileTaker({
+  open(name, text) {
+    if (isProject(text)) desk.openProject(name, text);
+    else dispatch({ type: 'fileChosen', name, text });
+  },
+  openBeside(name, text) {
+    if (isProject(text)) desk.openProject(name, text);
+    else desk.openBeside({ name, text });
+  },
+  refuse: (name, message) => dispatch({ type: 'fileRefused', name, message }),
+});
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
 const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), (chosen) =>
@@ -156,6 +166,7 @@ const plain = [
 ];
 const downloads = createDownloadsView(byId('downloads'), dispatch, byId('surface'));
 createDropView(byId('drop'), takeFiles);
+createPasteView(takeFiles);
 createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')), async () => {
   const found = await linkOf(desk.state);
   if ('link' in found) return new URL(found.link || location.pathname, location.href).href;

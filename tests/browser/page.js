@@ -179,15 +179,15 @@ export async function download(page, what) {
 export const downloadedText = async (page, what) => (await download(page, what)).content.toString();
 
 /** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
-export async function dropFile(page, name, text) {
-  const transfer = await page.evaluateHandle(
-    ([fileName, content]) => {
-      const created = new DataTransfer();
-      created.items.add(new File([content], fileName));
-      return created;
-    },
-    [name, text],
-  );
+export const dropFile = (page, name, text) => dropFiles(page, [[name, text]]);
+
+/** Drops files on the page, at once. @param {Page} page @param {[name: string, text: string][]} files */
+export async function dropFiles(page, files) {
+  const transfer = await page.evaluateHandle((all) => {
+    const created = new DataTransfer();
+    for (const [name, content] of all) created.items.add(new File([content], name));
+    return created;
+  }, files);
   for (const type of ['dragenter', 'dragover', 'drop']) {
     await page.dispatchEvent('body', type, { dataTransfer: transfer });
   }

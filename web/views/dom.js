@@ -39,6 +39,13 @@ export function setText(target, text) {
   if (target.textContent !== text) target.textContent = text;
 }
 
+/** Fields in which a user types, where keys and the clipboard are the browser's. */
+const TYPED =
+  'input:not([type]), input[type=text], input[type=number], input[type=search], textarea, [contenteditable]';
+
+/** Whether keys that are pressed in it write text. @param {EventTarget | null} target */
+export const takesText = (target) => target instanceof Element && target.matches(TYPED);
+
 /**
  * Enables or disables a button. A disabled button stays in the tab order and keeps the focus, but ignores presses.
  * @param {HTMLButtonElement} button
