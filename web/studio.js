@@ -36,9 +36,11 @@ import { createEnergiesView, createLevelsView } from './pages/studio/views/table
 import { createUndrawnView } from './pages/studio/views/undrawn.js';
 import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
+import { createKeyListView } from './views/key_list.js';
 import { createLegendView } from './views/legend.js';
 import { createThemeView } from './views/theme.js';
 import { deviationUnit } from './words/holding.js';
+import { keyGroups } from './words/keys.js';
 import { createClient } from './worker/client.js';
 import { createSpare } from './worker/spare.js';
 import { createRequests } from './worker/requests.js';
@@ -125,6 +127,7 @@ const takeFiles = createFileTaker({
 });
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
+createKeyListView(find(document, '.top'), keyGroups.studio);
 const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), (chosen) =>
   dispatch({ type: 'viewChanged', change: { theme: chosen } }),
 );

@@ -48,7 +48,10 @@ function beginnings() {
         const text = shared('header.html');
         const nav = text.indexOf('<nav');
         const own = `href="./${path.basename(filename)}"`;
-        const marked = text.slice(0, nav) + text.slice(nav).replace(own, `${own} aria-current="page"`);
+        const main = /<main\b[^>]*\bid="([^"]+)"/.exec(html)?.[1];
+        if (!main) throw new Error(`${filename}: the main element has no id, so that no link leads to it`);
+        const start = text.slice(0, nav).replace('href="#main"', `href="#${main}"`);
+        const marked = start + text.slice(nav).replace(own, `${own} aria-current="page"`);
         return html
           .replace('<head>', `<head>\n${shared('head.html')}`)
           .replace('<header class="top"></header>', `<header class="top">${marked}</header>`);

@@ -95,6 +95,14 @@ const states = [
     },
   ],
   ['the page of tori', 'torus.html', (page) => page.locator('#energies-plot svg').waitFor()],
+  [
+    'the list of keys',
+    'torus.html',
+    async (page) => {
+      await page.locator('#energies-plot svg').waitFor();
+      await page.keyboard.press('?');
+    },
+  ],
 ];
 
 /** @param {Page} page */
