@@ -12,9 +12,11 @@ import { createTableView } from './pages/compare/views/table.js';
 import { createToolsView } from './pages/compare/views/tools.js';
 import { createCopyView } from './views/copy.js';
 import { find } from './views/dom.js';
+import { createKeyListView } from './views/key_list.js';
 import { createLegendView } from './views/legend.js';
 import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
+import { keyGroups } from './words/keys.js';
 import { createRequests } from './worker/requests.js';
 
 /** @import {Action, State} from './pages/compare/types.js' */
@@ -43,6 +45,7 @@ function dispatch(action) {
 
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
+createKeyListView(find(document, '.top'), keyGroups.compare);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
 /** Curvatures are in units of that of a sphere with the same area. */
 const legend = createLegendView(

@@ -15,8 +15,10 @@ import { createFiltersView } from './pages/catalog/views/filters.js';
 import { createReadingView } from './pages/catalog/views/reading.js';
 import { createTableView } from './pages/catalog/views/table.js';
 import { find } from './views/dom.js';
+import { createKeyListView } from './views/key_list.js';
 import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
+import { keyGroups } from './words/keys.js';
 import { createRequests } from './worker/requests.js';
 
 /** @import {Action} from './pages/catalog/types.js' */
@@ -25,7 +27,6 @@ const effects = createEffects({
   dispatch: (action) => dispatch(action),
   makeSurface: createRequests(() => new Worker(new URL('./worker/surfaces.js', import.meta.url), { type: 'module' })),
   loadReport,
-  loadFormats: () => import('./files/mesh_formats.js'),
   save: saveFile,
   setAddress(search, how) {
     const address = location.pathname + search;
@@ -46,6 +47,7 @@ function dispatch(action) {
 
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
+createKeyListView(find(document, '.top'), keyGroups.catalog);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
 const views = [
   createNoticesView(byId('notices'), () => dispatch({ type: 'noticesDismissed' })),

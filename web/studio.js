@@ -8,8 +8,10 @@ import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { createDesk } from './pages/studio/desk.js';
 import { createKeeper } from './pages/studio/keeper.js';
+import { linkOf, problemIn } from './pages/studio/link.js';
 import { loadEntry } from './pages/studio/load_entry.js';
 import { createOwnership } from './pages/studio/ownership.js';
+import { fileName, typeOf } from './pages/studio/names.js';
 import { isProject } from './pages/studio/project.js';
 import { initialState } from './pages/studio/state/reduce.js';
 import { createBoundariesView } from './pages/studio/views/boundaries.js';
@@ -17,23 +19,28 @@ import { createCageView } from './pages/studio/views/cage.js';
 import { createCertificateView } from './pages/studio/views/certificate.js';
 import { createClosenessView } from './pages/studio/views/closeness.js';
 import { createDocumentsView } from './pages/studio/views/documents.js';
+import { createDownloadsView } from './pages/studio/views/downloads.js';
 import { createDropView, createFileTaker } from './pages/studio/views/drop.js';
 import { createEditView } from './pages/studio/views/edit.js';
 import { createEntryView } from './pages/studio/views/entry.js';
 import { createHeldKeyView, createHoldView } from './pages/studio/views/hold.js';
 import { createLimitView } from './pages/studio/views/limit.js';
-import { createAlertView, createDownloadsView } from './pages/studio/views/notices.js';
+import { createAlertView } from './pages/studio/views/notices.js';
 import { createObjectiveView } from './pages/studio/views/objective.js';
+import { createPasteView } from './pages/studio/views/paste.js';
 import { createPinsView } from './pages/studio/views/pins.js';
+import { takePicture } from './pages/studio/views/picture.js';
 import { createPlotView } from './pages/studio/views/plot.js';
 import { createRunView } from './pages/studio/views/run.js';
 import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
 import { createUndrawnView } from './pages/studio/views/undrawn.js';
 import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
+import { createKeyListView } from './views/key_list.js';
 import { createLegendView } from './views/legend.js';
 import { createThemeView } from './views/theme.js';
 import { deviationUnit } from './words/holding.js';
+import { keyGroups } from './words/keys.js';
 import { createClient } from './worker/client.js';
 import { createSpare } from './worker/spare.js';
 import { createRequests } from './worker/requests.js';
@@ -61,6 +68,7 @@ const desk = createDesk({
   outside: {
     connect: (hear) => createClient({ createWorker, ...hear }),
     save: saveFile,
+    takePicture: savePicture,
     load: async (name) => {
       const loaded = name.shape === wanted?.shape && name.functional === wanted.functional ? early : null;
       early = null;
@@ -79,8 +87,26 @@ const desk = createDesk({
 /** @param {Action} action */
 function dispatch(action) {
   if (action.type === 'viewChanged' && action.change.theme) storeTheme(action.change.theme);
-  if (action.type === 'fileChosen' && isProject(action.text)) desk.openProject(action.name, action.text);
-  else desk.dispatch(action);
+  desk.dispatch(action);
+}
+
+/** How the surface on the screen is coloured. @type {Pick<import('./pages/studio/views/picture.js').Seen, 'range' | 'dark'>} */
+let seen = { range: null, dark: false };
+
+/**
+ * @param {import('./pages/studio/state/types.js').State} state
+ * @param {import('./pages/studio/state/types.js').DownloadOptions} options
+ * @returns {Promise<Action>}
+ */
+async function savePicture(state, options) {
+  try {
+    const { createSurfaceView } = await drawing;
+    const picture = await takePicture(byId('surface'), createSurfaceView, { state, ...seen }, options);
+    saveFile(fileName(state, 'picture', options), await picture.arrayBuffer(), typeOf('picture'));
+    return { type: 'pictureTaken', failure: null };
+  } catch (error) {
+    return { type: 'pictureTaken', failure: error instanceof Error ? error.message : String(error) };
+  }
 }
 
 function saveProject() {
@@ -88,9 +114,20 @@ function saveProject() {
   if (project) saveFile(project.name, project.text, 'application/json');
 }
 
-const takeFiles = createFileTaker(dispatch);
+const takeFiles = createFileTaker({
+  open(name, text) {
+    if (isProject(text)) desk.openProject(name, text);
+    else dispatch({ type: 'fileChosen', name, text });
+  },
+  openBeside(name, text) {
+    if (isProject(text)) desk.openProject(name, text);
+    else desk.openBeside({ name, text });
+  },
+  refuse: (name, message) => dispatch({ type: 'fileRefused', name, message }),
+});
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
+createKeyListView(find(document, '.top'), keyGroups.studio);
 const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), (chosen) =>
   dispatch({ type: 'viewChanged', change: { theme: chosen } }),
 );
@@ -128,11 +165,21 @@ const plain = [
   createLevelsView(byId('levels')),
   createLimitView(byId('limit')),
   createCertificateView(byId('certificate'), dispatch),
-  createDownloadsView(byId('downloads'), dispatch),
-  createAlertView(byId('alert'), dispatch),
+  createAlertView(byId('alert'), dispatch, saveProject),
 ];
+const downloads = createDownloadsView(byId('downloads'), dispatch, byId('surface'));
 createDropView(byId('drop'), takeFiles);
-createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')));
+createPasteView(takeFiles);
+createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')), async () => {
+  const found = await linkOf(desk.state);
+  if ('link' in found) return new URL(found.link || location.pathname, location.href).href;
+  dispatch({ type: 'linkRefused', message: found.refused });
+  return null;
+});
+addEventListener('hashchange', async () => {
+  const problem = await problemIn(location.hash);
+  if (problem) desk.openBeside(problem);
+});
 
 function show() {
   if (!desk.isOpen) return;
@@ -146,6 +193,8 @@ function show() {
     occasion: `${state.session.run} ${state.session.phase.name === 'running'}`,
   });
   surface?.update(state, range, dark);
+  downloads.update(state, range);
+  seen = { range, dark };
   for (const view of plain) view.update(state);
   documents.update({ tabs: desk.tabs(), canReopen: desk.canReopen, unkept });
   setText(byId('version'), state.session.version);
@@ -161,7 +210,12 @@ addEventListener('beforeunload', (event) => {
 // The drawing code is the largest part of the page; it is loaded while the worker starts.
 const drawing = import('./pages/studio/views/surface.js');
 drawing.catch(() => {}); // handled below
-await desk.restore({ search: location.search, shown: history.state?.document ?? null, theme: storedTheme() });
+await desk.restore({
+  search: location.search,
+  shown: history.state?.document ?? null,
+  theme: storedTheme(),
+  problem: await problemIn(location.hash),
+});
 try {
   const { createSurfaceView } = await drawing;
   surface = createSurfaceView(byId('surface'), dispatch);

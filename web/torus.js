@@ -12,8 +12,10 @@ import { createNumbersView } from './pages/torus/views/numbers.js';
 import { createRatioPlotView } from './pages/torus/views/ratio_plot.js';
 import { createCopyView } from './views/copy.js';
 import { find } from './views/dom.js';
+import { createKeyListView } from './views/key_list.js';
 import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
+import { keyGroups } from './words/keys.js';
 import { createRequests } from './worker/requests.js';
 
 /** @import {Action} from './pages/torus/types.js' */
@@ -39,6 +41,7 @@ function dispatch(action) {
 
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
+createKeyListView(find(document, '.top'), keyGroups.torus);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
 /** @type {Array<{update: (shown: typeof state) => void}>} */
 const views = [

@@ -15,6 +15,29 @@ const pages = readdirSync(web).filter((name) => name.endsWith('.html'));
 /** A file of pages/ that all pages contain, without its comments. @param {string} name */
 const shared = (name) => readFileSync(path.join(web, 'pages', name), 'utf8').replace(/<!--.*?-->\s*/gs, '');
 
+/**
+ * What a built page may load and do: nothing that is not served beside it, and no code or style in the HTML. Workers get
+ * theirs from a server's headers alone, and the core is WebAssembly.
+ */
+const policy = [
+  "default-src 'self'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "img-src 'self' data: blob:",
+  "object-src 'none'",
+  "base-uri 'none'",
+  "form-action 'none'",
+].join('; ');
+
+/** Puts the policy before all that it is about. The development server needs scripts in the HTML. @returns {import('vite').Plugin} */
+function securityPolicy() {
+  const meta = `<meta http-equiv="Content-Security-Policy" content="${policy}" />`;
+  return {
+    name: 'security-policy',
+    apply: 'build',
+    transformIndexHtml: { order: 'pre', handler: (html) => html.replace('<head>', `<head>\n${meta}`) },
+  };
+}
+
 /** Inserts what all pages begin with: the head, and the header with the current page marked. @returns {import('vite').Plugin} */
 function beginnings() {
   return {
@@ -25,7 +48,10 @@ function beginnings() {
         const text = shared('header.html');
         const nav = text.indexOf('<nav');
         const own = `href="./${path.basename(filename)}"`;
-        const marked = text.slice(0, nav) + text.slice(nav).replace(own, `${own} aria-current="page"`);
+        const main = /<main\b[^>]*\bid="([^"]+)"/.exec(html)?.[1];
+        if (!main) throw new Error(`${filename}: the main element has no id, so that no link leads to it`);
+        const start = text.slice(0, nav).replace('href="#main"', `href="#${main}"`);
+        const marked = start + text.slice(nav).replace(own, `${own} aria-current="page"`);
         return html
           .replace('<head>', `<head>\n${shared('head.html')}`)
           .replace('<header class="top"></header>', `<header class="top">${marked}</header>`);
@@ -76,7 +102,7 @@ function catalog() {
 export default defineConfig({
   root: web,
   base: './',
-  plugins: [beginnings(), preloads(), catalog()],
+  plugins: [beginnings(), securityPolicy(), preloads(), catalog()],
   build: {
     outDir,
     emptyOutDir: true,
@@ -92,5 +118,8 @@ export default defineConfig({
     },
   },
   worker: { format: 'es' },
+  preview: {
+    headers: { 'Content-Security-Policy': `${policy}; frame-ancestors 'none'`, 'X-Content-Type-Options': 'nosniff' },
+  },
   server: { fs: { allow: [path.join(web, '..')] } }, // the module of build/wasm
 });

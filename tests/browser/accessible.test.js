@@ -34,7 +34,7 @@ async function minimize(page) {
   await page.locator('[name=functional]').selectOption('bending');
   await page.locator('#primary').click();
   await status(page, /^(Converged|Round-off)/, 60_000);
-  await page.locator('#downloads [name=control]:not([aria-disabled=true])').waitFor();
+  await page.locator('#downloads [name=save]:not([aria-disabled=true])').waitFor();
 }
 
 /** Holds a group and the faces around it, and pins a vertex. @param {Page} page */
@@ -95,6 +95,14 @@ const states = [
     },
   ],
   ['the page of tori', 'torus.html', (page) => page.locator('#energies-plot svg').waitFor()],
+  [
+    'the list of keys',
+    'torus.html',
+    async (page) => {
+      await page.locator('#energies-plot svg').waitFor();
+      await page.keyboard.press('?');
+    },
+  ],
 ];
 
 /** @param {Page} page */

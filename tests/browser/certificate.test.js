@@ -3,10 +3,9 @@
  * @file What the page says about a result: the symmetry that the run kept, the limit with its error bar, and the
  * certificate; by mouse and by keyboard.
  */
-import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { measured, openPage, screenshots, status } from './page.js';
+import { downloadedText, measured, openPage, screenshots, status } from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -111,11 +110,7 @@ describe('a certificate', () => {
     expect(await page.evaluate(() => document.activeElement?.textContent)).toBe('Certify');
     await page.screenshot({ path: path.join(screenshots, 'certified.png'), fullPage: true });
 
-    const [saved] = await Promise.all([
-      page.waitForEvent('download'),
-      page.getByRole('button', { name: 'Report', exact: true }).click(),
-    ]);
-    const report = JSON.parse(readFileSync(await saved.path(), 'utf8'));
+    const report = JSON.parse(await downloadedText(page, 'report'));
     expect(report).toMatchObject({
       group: { name: 'D3h', order: 12 },
       limit: { status: 'too_few_levels', order: null, error: null },
@@ -142,7 +137,7 @@ describe('a certificate', () => {
     const [told, table] = [await page.locator('#status').innerText(), await page.locator('#energies').innerText()];
     await certify(page).click();
     await page.getByRole('progressbar', { name: 'Certificate' }).waitFor();
-    expect(await page.getByRole('button', { name: 'Limit mesh' }).getAttribute('aria-disabled')).toBe('true');
+    expect(await page.locator('#downloads [name=save]').getAttribute('aria-disabled')).toBe('true');
     await page.keyboard.press('Enter'); // the button that was clicked, now Cancel
     await certify(page).waitFor();
     expect(await page.getByRole('progressbar', { name: 'Certificate' }).count()).toBe(0);

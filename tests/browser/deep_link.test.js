@@ -32,12 +32,12 @@ function open(search, options = {}) {
 
 /** Waits until the worker has sent the fine surface, which follows the coarse one. @param {Page} page */
 async function complete(page) {
-  await page.locator('#downloads [name=control]:not([aria-disabled=true])').waitFor();
+  await page.locator('#downloads [name=save]:not([aria-disabled=true])').waitFor();
 }
 
 /** @param {Page} page the address that its button copies, from the question mark on */
 async function copied(page) {
-  await page.getByRole('button', { name: 'Copy address' }).click();
+  await page.getByRole('button', { name: 'Copy link' }).click();
   await page.getByRole('button', { name: 'Copied' }).waitFor();
   return new URL(await page.evaluate(() => navigator.clipboard.readText())).search;
 }
@@ -152,7 +152,7 @@ describe('an address that names an entry', () => {
     await page.mouse.move(0, 0);
     await cameraRests(page, '10,40,1.2');
     const turned = await copied(page);
-    await page.getByRole('button', { name: 'Copy address' }).waitFor();
+    await page.getByRole('button', { name: 'Copy link' }).waitFor();
     const left = await pictureOf(page, page.locator('#surface'));
     expect(await difference(page, before, left)).toBeGreaterThan(0.05);
 

@@ -39,7 +39,7 @@ async function minimize(page) {
   await page.locator('[name=functional]').selectOption('bending');
   await button(page, 'Start').click();
   await status(page, /^(Converged|Round-off)/, 60_000);
-  await page.locator('#downloads [name=report]:not([aria-disabled=true])').waitFor();
+  await page.locator('#downloads [name=save]:not([aria-disabled=true])').waitFor();
 }
 
 /** A run that takes long. @param {Page} page */

@@ -58,7 +58,7 @@ async function minimize(offset) {
   const pictures = [await pictureOf(page, surface)];
   await page.locator('#primary').click();
   await status(page, /^(Converged|Round-off)/, 60_000);
-  await page.locator('#downloads [name=control]:not([aria-disabled=true])').waitFor();
+  await page.locator('#downloads [name=save]:not([aria-disabled=true])').waitFor();
   await drawn(page);
   const frames = await recordedFrames(page);
   pictures.push(await pictureOf(page, surface));

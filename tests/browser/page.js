@@ -162,23 +162,32 @@ export async function settled(page) {
   await drawn(page);
 }
 
-/** The text of a download, by the name of its button. @param {Page} page @param {string} name */
-export async function downloadedText(page, name) {
-  const button = page.locator(`#downloads [name=${name}]:not([aria-disabled=true])`);
+/**
+ * Saves a file from the studio's downloads, once there is something to save.
+ * @param {Page} page
+ * @param {import('../../web/pages/studio/state/types.js').Download} what
+ * @returns {Promise<{name: string, content: Buffer}>}
+ */
+export async function download(page, what) {
+  await page.locator('#downloads [name=what]').selectOption(what);
+  const button = page.locator('#downloads [name=save]:not([aria-disabled=true])');
   const [saved] = await Promise.all([page.waitForEvent('download'), button.click()]);
-  return readFileSync(await saved.path(), 'utf8');
+  return { name: saved.suggestedFilename(), content: readFileSync(await saved.path()) };
 }
 
+/** The text of a download. @param {Page} page @param {Parameters<typeof download>[1]} what */
+export const downloadedText = async (page, what) => (await download(page, what)).content.toString();
+
 /** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
-export async function dropFile(page, name, text) {
-  const transfer = await page.evaluateHandle(
-    ([fileName, content]) => {
-      const created = new DataTransfer();
-      created.items.add(new File([content], fileName));
-      return created;
-    },
-    [name, text],
-  );
+export const dropFile = (page, name, text) => dropFiles(page, [[name, text]]);
+
+/** Drops files on the page, at once. @param {Page} page @param {[name: string, text: string][]} files */
+export async function dropFiles(page, files) {
+  const transfer = await page.evaluateHandle((all) => {
+    const created = new DataTransfer();
+    for (const [name, content] of all) created.items.add(new File([content], name));
+    return created;
+  }, files);
   for (const type of ['dragenter', 'dragover', 'drop']) {
     await page.dispatchEvent('body', type, { dataTransfer: transfer });
   }
@@ -194,8 +203,8 @@ export async function look(page, moving = false) {
   if (!moving) await drawn(page);
   const picture = await page.locator('#surface').screenshot();
   return page.evaluate(async (encoded) => {
-    const response = await fetch(`data:image/png;base64,${encoded}`);
-    const bitmap = await createImageBitmap(await response.blob());
+    const bytes = Uint8Array.from(atob(encoded), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
     const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
     context.drawImage(bitmap, 0, 0);

@@ -47,8 +47,8 @@ export function difference(page, a, b) {
     async (pictures) => {
       const [one, other] = await Promise.all(
         pictures.map(async (encoded) => {
-          const response = await fetch(`data:image/png;base64,${encoded}`);
-          const bitmap = await createImageBitmap(await response.blob());
+          const bytes = Uint8Array.from(atob(encoded), (letter) => letter.charCodeAt(0));
+          const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
           const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
           const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
           context.drawImage(bitmap, 0, 0);

@@ -3,11 +3,11 @@
  * @file A user's session: opening a file, choosing a functional, and watching, stopping and saving a run; mistakes; a
  * worker that hangs; and using the keyboard only.
  */
-import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { Cage, Minimizer, load } from '../../wasm/umbilic.js';
 import {
+  download as saved,
   dropFile,
   energies,
   evaluated,
@@ -42,10 +42,10 @@ const button = (page, name) => page.getByRole('button', { name, exact: true });
 /** The workers that compute; another one keeps the documents. @param {Page} page */
 const computing = (page) => page.workers().filter((worker) => !worker.url().includes('store'));
 
-/** @param {Page} page @param {string} name */
-async function download(page, name) {
-  const [saved] = await Promise.all([page.waitForEvent('download'), button(page, name).click()]);
-  return { name: saved.suggestedFilename(), text: readFileSync(await saved.path(), 'utf8') };
+/** @param {Page} page @param {Parameters<typeof saved>[1]} what */
+async function download(page, what) {
+  const { name, content } = await saved(page, what);
+  return { name, text: content.toString() };
 }
 
 describe('a report that was saved', () => {
@@ -60,7 +60,7 @@ describe('a report that was saved', () => {
     await status(first.page, /^Converged after/, 60_000);
     await measured(first.page);
     const before = await energies(first.page);
-    const report = await download(first.page, 'Report');
+    const report = await download(first.page, 'report');
     expect(first.errors).toEqual([]);
     await first.page.context().close();
 
@@ -74,7 +74,7 @@ describe('a report that was saved', () => {
     await page.locator('[name=last]').selectOption('3');
     await button(page, 'Start').click();
     await status(page, /^Converged after/, 60_000);
-    const again = JSON.parse((await download(page, 'Report')).text);
+    const again = JSON.parse((await download(page, 'report')).text);
     // Levels before that of the report are not minimized again.
     expect(again.levels.map((/** @type {any} */ { level }) => level)).toEqual([2, 3]);
     expect(again.levels[0].energy_reported / JSON.parse(report.text).energies.bending).toBeCloseTo(1, 5);
@@ -139,7 +139,7 @@ describe('a user', () => {
     const number = (/** @type {string} */ text) => Number(text.split(' ±')[0].replaceAll('\u202f', ''));
     expect(number(after['MVS with cross terms'])).toBeLessThan(number(before['MVS with cross terms']));
 
-    const control = await download(page, 'Control cage');
+    const control = await download(page, 'control');
     expect(control.name).toMatch(/^my-frame-mvs_cross-level\d\.obj$/);
     const cage = Cage.read(control.text);
     expect(cage.counts.genus).toBe(3);
@@ -153,14 +153,14 @@ describe('a user', () => {
     expect(minimizer.energies.mvs_cross / number(after['MVS with cross terms']) - 1).toBeLessThan(1e-3);
     minimizer.dispose();
 
-    const limit = await download(page, 'Limit mesh');
+    const limit = await download(page, 'limit');
     expect(limit.name).toBe(control.name.replace('.obj', '-limit.obj'));
     const mesh = Cage.read(limit.text);
     expect(mesh.counts.genus).toBe(3);
     expect(mesh.counts.faces % cage.counts.faces).toBe(0);
-    expect(mesh.counts.faces).toBeGreaterThan(50_000);
+    expect(mesh.counts.faces).toBeGreaterThan(10_000);
 
-    const report = await download(page, 'Report');
+    const report = await download(page, 'report');
     expect(JSON.parse(report.text)).toMatchObject({
       umbilic: 'report',
       problem: { cage: { name: 'my frame.obj' }, terms: { mvs_cross: 1 }, options: { cap: 'smooth' } },
@@ -363,7 +363,7 @@ describe('the worker', () => {
     expect(computing(page)).toHaveLength(1);
     expect((await look(page)).coloured).toBeGreaterThan(0.5 * picture.coloured);
 
-    const control = await download(page, 'Control cage');
+    const control = await download(page, 'control');
     const cage = Cage.read(control.text);
     expect(cage.counts.genus).toBe(2);
     expect((await progress(page)).evaluations).toBeGreaterThanOrEqual(evaluations);

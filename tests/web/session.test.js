@@ -260,7 +260,7 @@ describe('a run', () => {
     const [control, limit, report] = /** @type {const} */ (['control', 'limit', 'report']).map((what) => {
       session.obey({ type: 'export', run: 1, what });
       expect(all('exported').at(-1)).toMatchObject({ run: 1, what });
-      return all('exported').at(-1).text;
+      return all('exported').at(-1).content;
     });
     const cages = [control, limit].map((obj) => Cage.read(obj));
     expect(cages.map(({ counts }) => counts.faces)).toEqual([24, 24 * densityFor(24, 200_000) ** 2]);
@@ -271,7 +271,7 @@ describe('a run', () => {
   test('has its certificate in its report until its surface moves', () => {
     const certificateOf = () => {
       session.obey({ type: 'export', run: 1, what: 'report' });
-      return parseReport(all('exported').at(-1).text).certificate;
+      return parseReport(all('exported').at(-1).content).certificate;
     };
     open(1, { levels: [1, 2] });
     work();

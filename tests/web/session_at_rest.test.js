@@ -88,7 +88,7 @@ describe('what is held', () => {
     session.obey({ type: 'open', run: 1, problem });
     work();
     session.obey({ type: 'export', run: 1, what: 'problem' });
-    const saved = all('exported')[0].text;
+    const saved = all('exported')[0].content;
     expect(JSON.parse(saved)).toMatchObject({ umbilic: 'problem', constraints });
     session.obey({ type: 'open', run: 2, problem: saved });
     expect(all('opened')[1].asked.constraints).toMatchObject(constraints);

@@ -107,7 +107,7 @@ describe('what the constraints do', () => {
     open(1, { then: 'run' });
     work();
     session.obey({ type: 'export', run: 1, what: 'report' });
-    session.obey({ type: 'open', run: 2, problem: all('exported')[0].text });
+    session.obey({ type: 'open', run: 2, problem: all('exported')[0].content });
     expect(all('opened')[1].report.constraints).toEqual(all('constrained')[0].report);
   });
 });

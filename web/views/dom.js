@@ -25,7 +25,11 @@ export function find(root, selector) {
  */
 export function element(tag, attributes = {}, ...children) {
   const created = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) created.setAttribute(name, value);
+  for (const [name, value] of Object.entries(attributes)) {
+    // The pages' security policy forbids to set the attribute, but not what it stands for.
+    if (name === 'style') created.style.cssText = value;
+    else created.setAttribute(name, value);
+  }
   created.append(...children);
   return created;
 }
@@ -38,6 +42,13 @@ export function element(tag, attributes = {}, ...children) {
 export function setText(target, text) {
   if (target.textContent !== text) target.textContent = text;
 }
+
+/** Fields in which a user types, where keys and the clipboard are the browser's. */
+const TYPED =
+  'input:not([type]), input[type=text], input[type=number], input[type=search], textarea, [contenteditable]';
+
+/** Whether keys that are pressed in it write text. @param {EventTarget | null} target */
+export const takesText = (target) => target instanceof Element && target.matches(TYPED);
 
 /**
  * Enables or disables a button. A disabled button stays in the tab order and keeps the focus, but ignores presses.

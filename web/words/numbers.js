@@ -127,6 +127,12 @@ export function integer(value) {
   return fixed(Math.round(value), 0);
 }
 
+/** 640 bytes, 85 kB, 3.2 MB. @param {number} bytes */
+export function fileSize(bytes) {
+  if (bytes < 1000) return counted(bytes, 'byte');
+  return bytes < 999_500 ? `${compact(bytes / 1e3)}${THIN_SPACE}kB` : `${compact(bytes / 1e6)}${THIN_SPACE}MB`;
+}
+
 /** 0.4 s, 12 s, 3 min 20 s. @param {number} seconds */
 export function duration(seconds) {
   if (seconds < 10) return `${fixed(seconds, 1)} s`;

@@ -7,6 +7,7 @@
 
 /** @import {CageReport, CertificateReport, ConstraintsReport, Energies, FaceGroup, Group, LevelReport} from '../../wasm/types.js' */
 /** @import {Limit, Mesh, Problem, Progress, Report, StopReason, Targets} from '../../wasm/types.js' */
+/** @import {Colouring} from './colouring.js' */
 
 /**
  * Begins the run of a problem (also given as the text of a problem or report file) and shows its surface. Answers
@@ -34,8 +35,8 @@
  * @typedef {{type: 'pause', run: number}} Pause
  * @typedef {{type: 'cancel', run: number}} Cancel
  *
- * Answers `exported` with the control mesh or the limit mesh as OBJ, or with the report or the problem.
- * @typedef {{type: 'export', run: number, what: Exportable}} Export
+ * Answers `exported` with a file, or `failed` if it would be too large.
+ * @typedef {{type: 'export', run: number, what: Exportable, options?: ExportOptions}} Export
  *
  * Tests whether the surface of a run at rest is a minimum among all surfaces near it. Answers `certificateAdvanced` and
  * finally `certified`, or `failed`. Another run ends the test.
@@ -57,7 +58,21 @@
  * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Deviate | Ping} Command
  */
 
-/** @typedef {'control' | 'limit' | 'report' | 'problem'} Exportable */
+/**
+ * The control mesh, the same after Catmull-Clark steps and the limit mesh as OBJ; the limit mesh as PLY, STL and GLB; the report
+ * and the problem.
+ * @typedef {'control' | 'quads' | 'limit' | 'ply' | 'stl' | 'glb' | 'report' | 'problem'} Exportable
+ *
+ * What a file is to be like; options that its format does not have are ignored.
+ * @typedef {object} ExportOptions
+ * @property {number} [density] of a limit mesh: quads along each edge of a patch; by default as for a large file
+ * @property {number} [steps] of refinement; default 1
+ * @property {number | null} [extent] of PLY, STL and GLB: what the longest side becomes, with the middle at the origin; null
+ *   and by default size and place are the cage's
+ * @property {'y' | 'z'} [up] of GLB: the axis that points upwards; default z
+ * @property {Colouring | null} [colouring] of GLB: the colours of its vertices
+ * @property {string} [name] of GLB: that of its model
+ */
 
 /**
  * Which vertices the triangles and edges of a mesh have, and the faces of the cage that they descend from. A mesh comes
@@ -78,9 +93,10 @@
  * @typedef {{type: 'opened', run: number, level: number, cage: CageReport, group: Group, groups: FaceGroup[], asked?: Problem, report?:
  *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>, unfilled?: Unfilled, held?: number[]}} Opened
  *
- * The current surface. `evaluations` counts all levels so far. `coarse`: `detail` will bring a finer one. `deviations`: the
+ * The current surface. `evaluations` counts all levels so far. `patches` has its evaluated mesh, of which each has the same
+ * number of quads in the limit mesh. `coarse`: `detail` will bring a finer one. `deviations`: the
  * distance of each vertex of the limit mesh from the cage's own surface; see deviation.js.
- * @typedef {{type: 'surfaced', run: number, evaluations: number, limit: MeshUpdate, control: MeshUpdate, deviations?: Float32Array,
+ * @typedef {{type: 'surfaced', run: number, evaluations: number, patches: number, limit: MeshUpdate, control: MeshUpdate, deviations?: Float32Array,
  *   coarse?: boolean}} Surfaced
  *
  * Energies of the surface by the reporting rule. Its level is not always the last one.
@@ -105,7 +121,7 @@
  * A copy of the best surface, so that it survives the loss of the worker.
  * @typedef {{type: 'saved', run: number, evaluations: number, state: {level: number, points: Float64Array}}} Saved
  *
- * @typedef {{type: 'exported', run: number, what: Exportable, text: string}} Exported
+ * @typedef {{type: 'exported', run: number, what: Exportable, options: ExportOptions, content: string | ArrayBuffer}} Exported
  *
  * `progress` is in [0, 1].
  * @typedef {{type: 'certificateAdvanced', run: number, progress: number}} CertificateAdvanced
@@ -143,6 +159,7 @@ export function withTopology({ triangles, faces, edges, ...moved }, last) {
  * @returns {ArrayBuffer[]}
  */
 export function transferables(message) {
+  if (message.type === 'exported') return message.content instanceof ArrayBuffer ? [message.content] : [];
   /** @type {ArrayBufferView[]} */
   let views = [];
   if (message.type === 'surfaced') {

@@ -5,7 +5,8 @@
  * yielding and the time are passed in.
  */
 import { createCertification } from './certification.js';
-import { MOVING_QUADS, SAVED_QUADS, densityFor } from './density.js';
+import { MOVING_QUADS } from './density.js';
+import { exported } from './exporting.js';
 import { openedMessage } from './opened.js';
 import { createPacing } from './pacing.js';
 import { createPreparing } from './preparing.js';
@@ -13,7 +14,7 @@ import { createTelling } from './telling.js';
 
 /** @import {Cage, Minimizer, parseReport} from '../../wasm/umbilic.js' */
 /** @import {Targets} from '../../wasm/types.js' */
-/** @import {Command, Exportable, Message, Open} from './protocol.js' */
+/** @import {Command, Export, Message, Open} from './protocol.js' */
 
 /**
  * @typedef {object} Surroundings
@@ -165,12 +166,10 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     tellRest();
   }
 
-  /** @param {Exportable} what */
-  function exported(what) {
-    if (what === 'control') return current().controlObj();
-    if (what === 'limit') return current().limitObj(densityFor(telling.patches(), SAVED_QUADS));
-    if (what === 'problem') return `${JSON.stringify(current().problem, null, 2)}\n`;
-    return current().report(certification.ready() ?? undefined);
+  /** @param {Export} command */
+  function send({ what, options = {} }) {
+    const about = { patches: telling.patches, certificate: certification.ready };
+    post({ type: 'exported', run, what, options, content: exported(core, current(), what, options, about) });
   }
 
   /** @param {Command} command */
@@ -200,7 +199,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
       case 'cancel':
         return cancel();
       case 'export':
-        return post({ type: 'exported', run, what: command.what, text: exported(command.what) });
+        return send(command);
       case 'certify':
         return pacing.pace === 'resting' ? certification.begin(run, current()) : undefined;
       case 'descend':

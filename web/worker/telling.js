@@ -78,7 +78,8 @@ export function createTelling({ core, post, now }) {
     const density = densityFor(told.surface.patches, quads);
     const limit = coarsest && density === 1 ? coarsest : current().limitMesh(density);
     const sent = surfacing.of(current(), limit, density);
-    post({ type: 'surfaced', run, evaluations: total_evaluations, ...sent, ...(first && { coarse: true }) });
+    const { patches } = told.surface;
+    post({ type: 'surfaced', run, evaluations: total_evaluations, patches, ...sent, ...(first && { coarse: true }) });
   }
 
   function saved() {

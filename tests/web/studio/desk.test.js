@@ -10,6 +10,7 @@ import { KEEP_INTERVAL, createKeeper } from '../../../web/pages/studio/keeper.js
 import { createOwnership } from '../../../web/pages/studio/ownership.js';
 import { keptFrom } from '../../../web/pages/studio/state/kept.js';
 import { reduce } from '../../../web/pages/studio/state/reduce.js';
+import { nameOfPasted } from '../../../web/pages/studio/views/paste.js';
 import { createSession } from '../../../web/worker/session.js';
 import { copied, core } from './real.js';
 import { after, drop, openedMessages, resting, running } from './state.js';
@@ -81,7 +82,12 @@ function createPage() {
   /** @type {string[]} */
   const addresses = [];
   const desk = createDesk({
-    outside: { connect, save() {}, load: async (name) => ({ type: 'entryMissing', name, message: 'none' }) },
+    outside: {
+      connect,
+      save() {},
+      takePicture: async () => ({ type: 'pictureTaken', failure: null }),
+      load: async (name) => ({ type: 'entryMissing', name, message: 'none' }),
+    },
     keeper: createKeeper({ ask, told() {} }),
     ownership: createOwnership(undefined),
     setAddress: (search) => addresses.push(search),
@@ -243,4 +249,61 @@ describe('the keeper', () => {
     expect(address).toBe('?a');
     jest.useRealTimers();
   });
+});
+
+describe('files that are opened together', () => {
+  const bytes = (/** @type {string} */ text) => new TextEncoder().encode(text);
+  const tetrahedron = 'v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n';
+
+  test('are documents in their order, in the place of one with which nothing was done', async () => {
+    const page = createPage();
+    await page.begin();
+    for (const name of ['a.obj', 'b.obj', 'c.obj']) page.desk.openBeside({ name, text: bytes(tetrahedron) });
+    page.work();
+    expect(page.names()).toEqual(['a.obj', 'b.obj', 'c.obj *']);
+    await page.desk.flush();
+    // No address brings them back, so they are not forgotten although nothing was done with them.
+    const next = createPage();
+    await next.begin();
+    expect(next.names()).toEqual(['a.obj', 'b.obj', 'c.obj *']);
+  });
+
+  test('leave out one that is broken, which is said on the document that is shown', async () => {
+    const page = createPage();
+    await page.begin('?shape=cube');
+    page.desk.dispatch(quick);
+    page.work();
+    page.desk.openBeside({ name: 'good.obj', text: bytes(tetrahedron) });
+    page.desk.openBeside({ name: 'broken.obj', text: bytes(`${tetrahedron}f 1 2 9\n`) });
+    page.work();
+    await new Promise(setImmediate);
+    page.work();
+    expect(page.names()).toEqual(['Cube', 'good.obj *']);
+    expect(page.desk.state.view.alert).toEqual({
+      title: 'broken.obj was not opened',
+      message: expect.stringMatching(/^line 9: /),
+    });
+  });
+
+  test('and are all broken leave the page with the shape that it begins with', async () => {
+    const page = createPage();
+    await page.begin();
+    page.desk.openBeside({ name: 'broken.obj', text: bytes('f 1 2 3\n') });
+    page.work();
+    await new Promise(setImmediate);
+    page.work();
+    expect(page.names()).toEqual(['Two junctions, 3 arms *']);
+    expect(page.desk.state.view.alert?.title).toBe('broken.obj was not opened');
+  });
+});
+
+describe('a text that is pasted', () => {
+  test.each([
+    ['v 0 0 0\nf 1 2 3\n', 'pasted.obj'],
+    ['# made by hand\nv 0 0 0\n', 'pasted.obj'],
+    ['OFF\n4 4 0\n', 'pasted.off'],
+    ['# a comment\nCOFF 4 4 0\n', 'pasted.off'],
+    [' {"umbilic": "problem"}', 'pasted.json'],
+    ['OFFICE', 'pasted.obj'],
+  ])('%j is taken as the file %s', (text, name) => expect(nameOfPasted(text)).toBe(name));
 });

@@ -15,10 +15,12 @@ import { answered, ended, mesh, openedMessages, resting, running } from './state
 
 /** @type {any[]} */
 let sent;
-/** @type {Array<[string, string, string]>} */
+/** @type {Array<[string, string | ArrayBuffer, string]>} */
 let saved;
 /** @type {any[]} */
 let loads;
+/** @type {any[]} */
+let pictures;
 /** @type {string[]} */
 let addresses;
 let abandoned = 0;
@@ -30,12 +32,14 @@ beforeEach(() => {
   sent = [];
   saved = [];
   loads = [];
+  pictures = [];
   addresses = [];
   abandoned = 0;
   restarted = 0;
   effects = createEffects({
     client: { send: (command) => sent.push(command), abandon: () => abandoned++, restart: () => restarted++ },
     save: (...file) => saved.push(file),
+    takePicture: (state, options) => pictures.push(options),
     load: (name) => loads.push(name),
     setAddress: (search) => addresses.push(search),
   });
@@ -88,6 +92,7 @@ describe('the worker is told', () => {
       type: /** @type {const} */ ('surfaced'),
       run: 1,
       evaluations: 0,
+      patches: 24,
       limit: mesh(),
       control: mesh(),
     };
@@ -193,22 +198,56 @@ describe('another try', () => {
 
 describe('a download', () => {
   test.each(
-    /** @type {Array<['control' | 'limit' | 'report', string, string]>} */ ([
+    /** @type {Array<['control' | 'quads' | 'limit' | 'ply' | 'stl' | 'glb' | 'report' | 'problem', string, string]>} */ ([
       ['control', 'two-3-mvs_cross-level2.obj', 'model/obj'],
+      ['quads', 'two-3-mvs_cross-level2-refined2.obj', 'model/obj'],
       ['limit', 'two-3-mvs_cross-level2-limit.obj', 'model/obj'],
+      ['ply', 'two-3-mvs_cross-level2-limit.ply', 'application/octet-stream'],
+      ['stl', 'two-3-mvs_cross-level2-limit.stl', 'model/stl'],
+      ['glb', 'two-3-mvs_cross-level2-limit.glb', 'model/gltf-binary'],
       ['report', 'two-3-mvs_cross.json', 'application/json'],
+      ['problem', 'two-3-mvs_cross-problem.json', 'application/json'],
     ]),
   )('of the %s is asked of the worker, and saved under a name that says what it is', (what, name, type) => {
-    const state = run(ended(), { type: 'downloadPressed', what });
-    expect(sent).toEqual([{ type: 'export', run: 1, what }]);
+    const options = { steps: 2 };
+    const state = run(ended(), { type: 'downloadPressed', what, options });
+    expect(sent).toEqual([{ type: 'export', run: 1, what, options }]);
     expect(state.session.exporting).toBe(true);
-    const done = run(state, answered({ type: 'exported', run: 1, what, text: 'its text' }));
+    const done = run(state, answered({ type: 'exported', run: 1, what, options, content: 'its text' }));
     expect(saved).toEqual([[name, 'its text', type]]);
     expect(done.session.exporting).toBe(false);
   });
 
-  test('before a run is named by the cage alone', () => {
+  test('of the history has a line with all digits for each evaluation, and needs no worker', () => {
+    const state = run(ended(), { type: 'downloadPressed', what: 'history' });
+    expect([sent, state.session.exporting]).toEqual([[], false]);
+    const [[name, text, type]] = saved;
+    expect([name, type]).toEqual(['two-3-mvs_cross-history.csv', 'text/csv;charset=utf-8']);
+    const lines = String(text).split('\r\n');
+    expect(lines.slice(0, 4)).toEqual([
+      'evaluation,level,energy,gradient_norm',
+      '1,0,150,10',
+      '2,0,149,5',
+      '3,0,148,3.3333333333333335',
+    ]);
+    expect(lines).toHaveLength(7);
+  });
+
+  test('of a picture waits for it, and says why there is none', () => {
+    const options = { size: /** @type {[number, number]} */ ([640, 480]), background: true };
+    const state = run(ended(), { type: 'downloadPressed', what: 'picture', options });
+    expect([pictures, sent, state.session.exporting]).toEqual([[options], [], true]);
+    expect(fileName(state, 'picture', options)).toBe('two-3-mvs_cross-level2-mean-640x480.png');
+    const failed = run(state, { type: 'pictureTaken', failure: 'not drawn' });
+    expect(failed.session.exporting).toBe(false);
+    expect(failed.view.alert?.message).toBe('not drawn');
+    expect(run(state, { type: 'pictureTaken', failure: null }).view.alert).toBeNull();
+  });
+
+  test('before a run is named by the cage alone, and with colours by these too', () => {
     expect(fileName(resting(), 'control')).toBe('two-3-level0.obj');
+    const colouring = { shading: /** @type {const} */ ('gaussian'), low: -1, high: 1 };
+    expect(fileName(resting(), 'glb', { colouring })).toBe('two-3-level0-gaussian-limit.glb');
   });
 });
 

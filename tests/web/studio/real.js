@@ -49,7 +49,8 @@ export function createStudio(search = '', begun = initialState('system', parseSt
       abandon() {},
       restart() {},
     },
-    save: (name, text) => files.push({ name, text }),
+    save: (name, content) => files.push({ name, text: String(content) }),
+    takePicture() {},
     load() {},
     setAddress() {},
   });

@@ -16,8 +16,8 @@ const downloads = {
   cage: { what: 'cage', ending: '.cage.obj', type: 'model/obj' },
   control: { what: 'control', ending: '.control.obj', type: 'model/obj' },
   limit: { what: 'limit', ending: '.limit.obj', type: 'model/obj' },
-  stl: { what: 'mesh', ending: '.stl', type: 'model/stl' },
-  glb: { what: 'mesh', ending: '.glb', type: 'model/gltf-binary' },
+  stl: { what: 'stl', ending: '.stl', type: 'model/stl' },
+  glb: { what: 'glb', ending: '.glb', type: 'model/gltf-binary' },
 };
 
 /**
@@ -25,24 +25,21 @@ const downloads = {
  * @param {(action: Action) => void} surroundings.dispatch
  * @param {MakeSurface} surroundings.makeSurface
  * @param {(name: string) => Promise<Report>} surroundings.loadReport
- * @param {() => Promise<typeof import('../../files/mesh_formats.js')>} surroundings.loadFormats
  * @param {(name: string, content: string | ArrayBuffer, type: string) => void} surroundings.save
  * @param {(search: string, how: 'push' | 'replace') => void} surroundings.setAddress from the question mark on
  * @returns {(action: Action, before: State, after: State) => void}
  */
-export function createEffects({ dispatch, makeSurface, loadReport, loadFormats, save, setAddress }) {
+export function createEffects({ dispatch, makeSurface, loadReport, save, setAddress }) {
   /** @param {State} state @param {EntryId} id @param {Download} what */
   async function download(state, id, what) {
     const found = findEntry(state.catalog, id);
     if (!found) throw new Error(`there is no entry ${id}`);
     const { entry, shape } = found;
     const report = what !== 'cage' && entry.minimizer ? await loadReport(entry.minimizer) : null;
-    const made = await makeSurface({ what: downloads[what].what, cage: shape.cage, report });
+    const made = await makeSurface({ what: downloads[what].what, cage: shape.cage, report, name: id });
+    if (typeof made !== 'string' && !(made instanceof ArrayBuffer)) throw new Error(`${what} is no file`);
     const { ending, type } = downloads[what];
-    const name = `${what === 'cage' ? shape.name : id}${ending}`;
-    if (typeof made === 'string') return save(name, made, type);
-    const formats = await loadFormats();
-    save(name, what === 'stl' ? formats.stl(made) : await formats.glb(made, id), type);
+    save(`${what === 'cage' ? shape.name : id}${ending}`, made, type);
   }
 
   return (action, before, after) => {

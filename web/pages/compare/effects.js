@@ -35,7 +35,7 @@ export function createEffects({ dispatch, loadReport, makeSurface, setAddress })
     try {
       const report = await loadReport(entry.minimizer);
       const mesh = await makeSurface({ what: 'mesh', report, quads: QUADS / entries.length });
-      if (typeof mesh === 'string') return { problem: '' };
+      if (typeof mesh === 'string' || mesh instanceof ArrayBuffer) return { problem: '' };
       const shown = withUnitArea(mesh);
       return { ...shown, spread: spreadCurvatures(shown) };
     } catch (error) {

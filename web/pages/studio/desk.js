@@ -5,7 +5,7 @@
  */
 import { parseStudioAddress } from '../../address/studio.js';
 import { projectName } from './names.js';
-import { createOpenDocument } from './open_document.js';
+import { createOpenDocument, withFile } from './open_document.js';
 import { formatProject, parseProject } from './project.js';
 import { isBusy, isUntouched, keepsOther, keptFrom, stateFrom } from './state/kept.js';
 import { withView } from './state/parts.js';
@@ -14,7 +14,7 @@ import { documentName } from './state/select.js';
 
 /** @import {Stored} from '../../worker/store.js' */
 /** @import {createKeeper, Copy, Writer} from './keeper.js' */
-/** @import {OpenDocument, Surroundings} from './open_document.js' */
+/** @import {OfferedFile, OpenDocument, Surroundings} from './open_document.js' */
 /** @import {createOwnership} from './ownership.js' */
 /** @import {Action, State} from './state/types.js' */
 
@@ -24,13 +24,18 @@ const SLEEP_AFTER = 4_000;
 const MOST_CLOSED = 5;
 
 /** @typedef {{id: string, name: string, running: boolean, active: boolean}} Tab */
-/** @typedef {{id: string, document: OpenDocument, writer: Writer, address: string, seen: number, lastDone: State['history']}} Open */
+/** @typedef {{id: string, document: OpenDocument, writer: Writer, address: string, seen: number, lastDone: State['history'],
+ *   file: string | null}} Open `file` is the one that it began with, until it has opened */
 
-const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2, 10)}`;
+let lastTime = 0;
+/** Milliseconds, later at each call. */
+const later = () => (lastTime = Math.max(Date.now(), lastTime + 1));
+/** In the order in which they are made. */
+const newId = () => `${later().toString(36)}-${Math.random().toString(36).slice(2, 10)}`;
 
 /**
  * @param {object} surroundings
- * @param {Pick<Surroundings, 'connect' | 'save' | 'load'>} surroundings.outside
+ * @param {Pick<Surroundings, 'connect' | 'save' | 'takePicture' | 'load'>} surroundings.outside
  * @param {ReturnType<typeof createKeeper>} surroundings.keeper
  * @param {ReturnType<typeof createOwnership>} surroundings.ownership
  * @param {(search: string, id: string) => void} surroundings.setAddress of the document on the screen
@@ -64,7 +69,7 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
    * @param {Partial<Pick<Copy, 'address' | 'seen'>> & {known?: string[]}} [copy] in the store
    * @returns {Open}
    */
-  function put(id, state, { address = '', seen = Date.now(), known = [] } = {}) {
+  function put(id, state, { address = '', seen = later(), known = [] } = {}) {
     const document = createOpenDocument(state, {
       ...outside,
       setAddress(search) {
@@ -73,6 +78,7 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
       },
       changed(before, after) {
         if (after.document.cage && keepsOther(before, after)) mine.writer.touch();
+        if (mine.file !== null) followFile(mine, after);
         if (id !== active && isBusy(before) && !isBusy(after)) sleepSoon(id);
         changed();
       },
@@ -81,9 +87,26 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     const written = ({ kept }) => (mine.lastDone = kept.history);
     const writer = keeper.writer(id, () => copyOf(mine), written, known);
     /** @type {Open} */
-    const mine = { id, document, writer, address, seen, lastDone: state.history };
+    const mine = { id, document, writer, address, seen, lastDone: state.history, file: null };
     open.set(id, mine);
     return mine;
+  }
+
+  /** A document that its file does not fill gives way to the others, where that is said. @param {Open} mine @param {State} after */
+  function followFile(mine, { document, session, view }) {
+    if (document.cage) {
+      mine.file = null;
+      return;
+    }
+    if (session.opening?.source.kind !== 'generated') return;
+    const name = mine.file ?? '';
+    mine.file = null;
+    if (open.size === 1) return;
+    queueMicrotask(async () => {
+      await desk.close(mine.id);
+      const message = view.alert?.message ?? '';
+      current().document.dispatch({ type: 'fileRefused', name, message });
+    });
   }
 
   /** @param {string} id */
@@ -103,18 +126,23 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
       mine.document.dispatch({ type: 'viewChanged', change: { theme, fits } });
       if (!isBusy(before.document.state)) before.document.sleep();
     }
-    mine.seen = Date.now();
+    mine.seen = later();
     mine.document.wake();
     if (mine.document.state.document.cage) mine.writer.touch();
     setAddress(mine.address, id);
     changed();
   }
 
-  /** Opens a new document beside the others, and shows it. @param {State} state */
-  function begin(state) {
+  /**
+   * Opens a new document beside the others, and shows it.
+   * @param {State} state
+   * @param {string | null} [file] the one that it opens
+   */
+  function begin(state, file = null) {
     const id = newId();
     void ownership.take(id);
     const mine = put(id, state);
+    mine.file = file;
     const before = open.get(active);
     active = id;
     if (before && !isBusy(before.document.state)) before.document.sleep();
@@ -136,11 +164,11 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
 
   /**
    * Brings back what was open in this browser tab, or in any if there is nothing of its own, and shows what the page was asked for: the document that it showed before a reload, one
-   * with the address, or a new one.
-   * @param {{search: string, shown: string | null, theme: State['view']['theme']}} asked `shown` is the document that this
-   *   page showed
+   * with the address, or a new one; or else the problem of a link.
+   * @param {{search: string, shown: string | null, theme: State['view']['theme'], problem?: OfferedFile | null}} asked `shown` is
+   *   the document that this page showed
    */
-  async function restore({ search, shown, theme }) {
+  async function restore({ search, shown, theme, problem = null }) {
     const begun = initialState(theme, parseStudioAddress(search));
     const all = await keeper.list().catch(() => []);
     const order = all.filter((one) => !one.closed).sort((a, b) => (a.id < b.id ? -1 : 1));
@@ -155,7 +183,8 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     // Those of a page that is gone. One that is being loaded again must not find them taken.
     const others = order.filter(({ id, content }) => !open.has(id) && content.past.length + content.future.length > 0);
     closed = [...closed, ...(await ownership.free(others.map(({ id }) => id)))];
-    if (chosen) show(chosen);
+    if (problem) begin(withFile(begun, problem), 'text' in problem ? problem.name : null);
+    else if (chosen) show(chosen);
     else begin(begun);
     for (const { id, document } of open.values()) {
       if (id !== active && document.state.session.phase.name === 'running') document.wake();
@@ -186,7 +215,7 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     mine.forEach((id) => ownership.give(id));
   }
 
-  return {
+  const desk = {
     restore,
     show,
 
@@ -230,11 +259,23 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
         void ownership.take(id);
         put(id, stateFrom(withView(initialState(), { theme: before.document.state.view.theme }), kept));
         show(id);
-        if (isUntouched(before.document.state)) void this.close(before.id);
+        if (isUntouched(before.document.state) && before.file === null) void desk.close(before.id);
       } catch (error) {
         const message = error instanceof Error ? error.message : String(error);
         before.document.dispatch({ type: 'fileRefused', name, message });
       }
+    },
+
+    /** Opens a file as a document of its own, in the place of one with which nothing was done. @param {OfferedFile} file */
+    openBeside(file) {
+      const before = current();
+      if ('refused' in file) {
+        before.document.dispatch({ type: 'fileRefused', name: file.name, message: file.refused });
+        return;
+      }
+      const { theme } = before.document.state.view;
+      begin(withFile(initialState(theme, parseStudioAddress('')), file), file.name);
+      if (isUntouched(before.document.state) && before.file === null) void desk.close(before.id);
     },
 
     /** Opens a new document with the shape that the studio begins with. */
@@ -255,7 +296,7 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
       if (id === active) {
         const next = ids[ids.indexOf(id) + 1] ?? ids[ids.indexOf(id) - 1];
         if (next) show(next);
-        else this.create();
+        else desk.create();
       }
       open.delete(id);
       mine.document.dispose();
@@ -294,4 +335,5 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     /** Writes all that has changed at once, as far as the browser lets it. */
     flush: () => Promise.all([...open.values()].map(({ writer }) => writer.flush())),
   };
+  return desk;
 }

@@ -4,13 +4,14 @@
  * page's address. They follow from the states before and after an action.
  */
 import { formatStudioAddress } from '../../address/studio.js';
-import { fileName } from './names.js';
+import { fileName, typeOf } from './names.js';
+import { historyCsv } from './history_csv.js';
 import { addressOf } from './state/address.js';
 import { askedOf, certifyingOf } from './state/parts.js';
 import { problemOf } from './state/settings.js';
 
 /** @import {EntryName} from '../../address/compare.js' */
-/** @import {Action, State} from './state/types.js' */
+/** @import {Action, DownloadOptions, State} from './state/types.js' */
 /** @import {Client} from '../../worker/client.js' */
 
 /**
@@ -31,12 +32,14 @@ function onceEach(work) {
 /**
  * @param {object} surroundings
  * @param {Pick<Client, 'send' | 'abandon' | 'restart'>} surroundings.client
- * @param {(name: string, text: string, type: string) => void} surroundings.save
+ * @param {(name: string, content: string | ArrayBuffer, type: string) => void} surroundings.save
+ * @param {(state: State, options: DownloadOptions) => void} surroundings.takePicture saves a picture of the surface; ends in
+ *   `pictureTaken`
  * @param {(name: EntryName) => void} surroundings.load finds an entry of the catalog; ends in `entryLoaded` or `entryMissing`
  * @param {(search: string) => void} surroundings.setAddress
  * @returns {(action: Action | null, before: State | null, after: State) => void} both null as the page begins
  */
-export function createEffects({ client, save, load, setAddress }) {
+export function createEffects({ client, save, takePicture, load, setAddress }) {
   const follow = onceEach(setAddress);
 
   /** @param {State | null} before @param {State} after */
@@ -53,6 +56,13 @@ export function createEffects({ client, save, load, setAddress }) {
     } else if (goesOn && then !== before?.session.opening?.then) {
       client.send({ type: then === 'run' ? 'optimize' : 'step', run });
     }
+  }
+
+  /** @param {State} state @param {Extract<Action, {type: 'downloadPressed'}>} action */
+  function download(state, { what, options = {} }) {
+    if (what === 'picture') takePicture(state, options);
+    else if (what === 'history') save(fileName(state, what), historyCsv(state.document.result.samples), typeOf(what));
+    else client.send({ type: 'export', run: state.session.run, what, options });
   }
 
   return (action, before, after) => {
@@ -97,7 +107,7 @@ export function createEffects({ client, save, load, setAddress }) {
         break;
       }
       case 'downloadPressed':
-        client.send({ type: 'export', run, what: action.what });
+        download(after, action);
         break;
       case 'surfaceDrawn':
         if (before.view.coarse) client.send({ type: 'detail', run });
@@ -109,8 +119,8 @@ export function createEffects({ client, save, load, setAddress }) {
         break;
       case 'answered':
         if (action.message.type === 'exported' && action.message.run === run) {
-          const { what, text } = action.message;
-          save(fileName(after, what), text, what === 'report' || what === 'problem' ? 'application/json' : 'model/obj');
+          const { what, options, content } = action.message;
+          save(fileName(after, what, options), content, typeOf(what));
         }
         break;
     }

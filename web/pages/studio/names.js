@@ -4,25 +4,42 @@
  */
 import { stemOf } from '../../words/cages.js';
 
-/** @import {State} from './state/types.js' */
-/** @import {Exportable} from '../../worker/protocol.js' */
+/** @import {Download, DownloadOptions, State} from './state/types.js' */
 
 /** "two-3.umbilic.json" @param {State} state */
 export const projectName = ({ document }) => `${stemOf(document.cage?.name ?? 'cage')}.umbilic.json`;
 
+/** The endings and the types of the files. @type {Record<Download, {ending: string, type: string}>} */
+const formats = {
+  control: { ending: '.obj', type: 'model/obj' },
+  quads: { ending: '.obj', type: 'model/obj' },
+  limit: { ending: '-limit.obj', type: 'model/obj' },
+  ply: { ending: '-limit.ply', type: 'application/octet-stream' },
+  stl: { ending: '-limit.stl', type: 'model/stl' },
+  glb: { ending: '-limit.glb', type: 'model/gltf-binary' },
+  picture: { ending: '.png', type: 'image/png' },
+  history: { ending: '-history.csv', type: 'text/csv;charset=utf-8' },
+  report: { ending: '.json', type: 'application/json' },
+  problem: { ending: '-problem.json', type: 'application/json' },
+};
+
+/** @param {Download} what @returns {string} MIME */
+export const typeOf = (what) => formats[what].type;
+
 /**
- * "two-3-mvs_cross-level2.obj", "two-3-mvs_cross-level2-limit.obj", "two-3-mvs_cross.json",
- * "two-3-mvs_cross-problem.json"; without the functional
- * before a run.
+ * "two-3-mvs_cross-level2.obj", "two-3-mvs_cross-level2-refined1.obj", "two-3-mvs_cross-level2-limit.stl",
+ * "two-3-mvs_cross-level2-mean-1920x1080.png", "two-3-mvs_cross-history.csv", "two-3-mvs_cross.json",
+ * "two-3-mvs_cross-problem.json"; without the functional before a run.
  * @param {State} state
- * @param {Exportable} what
+ * @param {Download} what
+ * @param {DownloadOptions} [options]
  */
-export function fileName(state, what) {
-  const parts = [stemOf(state.document.cage?.name ?? 'cage')];
-  if (state.document.result.samples.length) parts.push(state.document.result.settings.functional);
-  if (what === 'report') return `${parts.join('-')}.json`;
-  if (what === 'problem') return `${parts.join('-')}-problem.json`;
-  parts.push(`level${state.document.result.saved?.state.level ?? 0}`);
-  if (what === 'limit') parts.push('limit');
-  return `${parts.join('-')}.obj`;
+export function fileName({ document: { cage, result }, view }, what, { steps = 1, size, colouring } = {}) {
+  const parts = [stemOf(cage?.name ?? 'cage')];
+  if (result.samples.length) parts.push(result.settings.functional);
+  if (!['history', 'report', 'problem'].includes(what)) parts.push(`level${result.saved?.state.level ?? 0}`);
+  if (what === 'quads') parts.push(`refined${steps}`);
+  if (what === 'picture') parts.push(view.shading, ...(size ? [size.join('x')] : []));
+  if (colouring) parts.push(colouring.shading);
+  return parts.join('-') + formats[what].ending;
 }

@@ -10,12 +10,13 @@ import { reduce } from './state/reduce.js';
 /** @import {EntryName} from '../../address/compare.js' */
 /** @import {Client, Loss} from '../../worker/client.js' */
 /** @import {Message} from '../../worker/protocol.js' */
-/** @import {Action, State} from './state/types.js' */
+/** @import {Action, DownloadOptions, State} from './state/types.js' */
 
 /**
  * @typedef {object} Surroundings
  * @property {(hear: Hear) => Client} connect starts a worker
- * @property {(name: string, text: string, type: string) => void} save offers a file
+ * @property {(name: string, content: string | ArrayBuffer, type: string) => void} save offers a file
+ * @property {(state: State, options: DownloadOptions) => Promise<Action>} takePicture of the surface, and offers it as a file
  * @property {(name: EntryName) => Promise<Action>} load finds an entry of the catalog
  * @property {(search: string) => void} setAddress
  * @property {(before: State, after: State) => void} changed
@@ -25,11 +26,22 @@ import { reduce } from './state/reduce.js';
 
 /** @typedef {ReturnType<typeof createOpenDocument>} OpenDocument */
 
+/** A file, or what took its place, that could be read or not. @typedef {{name: string} & ({text: Uint8Array} | {refused: string})} OfferedFile */
+
+/** A state that begins with a file. @param {State} begun @param {OfferedFile} file @returns {State} */
+export const withFile = (begun, file) =>
+  reduce(
+    begun,
+    'text' in file
+      ? { type: 'fileChosen', name: file.name, text: file.text }
+      : { type: 'fileRefused', name: file.name, message: file.refused },
+  );
+
 /**
  * @param {State} begun
  * @param {Surroundings} surroundings
  */
-export function createOpenDocument(begun, { connect, save, load, setAddress, changed }) {
+export function createOpenDocument(begun, { connect, save, takePicture, load, setAddress, changed }) {
   let state = begun;
   /** @type {Client | null} */
   let client = null;
@@ -46,6 +58,7 @@ export function createOpenDocument(begun, { connect, save, load, setAddress, cha
       restart: () => awake().restart(),
     },
     save,
+    takePicture: async (shown, options) => dispatch(await takePicture(shown, options)),
     load: async (name) => dispatch(await load(name)),
     setAddress,
   });

@@ -121,11 +121,11 @@ const withoutCertifying = (state) =>
 /** @param {State} state @param {Surfaced} message @param {number} evaluations @returns {State} */
 function afterSurfaced(state, message, evaluations) {
   const { surface, fits, fitDue } = state.view;
-  const { deviations = null, coarse = false } = message;
+  const { patches, deviations = null, coarse = false } = message;
   const limit = withTopology(message.limit, surface?.limit);
   const control = withTopology(message.control, surface?.control);
   return withView(state, {
-    surface: { limit, control, deviations, evaluations },
+    surface: { limit, control, patches, deviations, evaluations },
     coarse,
     fits: fits + (fitDue ? 1 : 0),
     fitDue: false,

@@ -38,9 +38,14 @@ function phaseFrom(name) {
   return name === 'ended' ? { name, certifying: null } : { name: 'resting' };
 }
 
+/** Whether an address can name it: a generated cage, of which nothing is held. @param {Document} document */
+const hasAddress = ({ cage, settings: { constraints, fill } }) =>
+  cage?.source.kind !== 'text' && Object.keys(constraints).length === 0 && fill === null;
+
 /** Whether nobody has done anything with it: its address says all there is. @param {Kept | State} state */
 export const isUntouched = ({ document, history }) =>
-  history.past.length + history.future.length === 0 && (document.result.catalogs || !hasMoved(document.result));
+  history.past.length + history.future.length === 0 &&
+  (document.result.catalogs || (!hasMoved(document.result) && hasAddress(document)));
 
 /** Whether the worker has something to do for it. @param {State} state */
 export const isBusy = ({ session: { phase, opening, exporting } }) =>

@@ -250,7 +250,11 @@ function changed(state, action) {
     case 'surfaceDrawn':
       return withView(state, { coarse: false });
     case 'downloadPressed':
-      return withSession(state, { exporting: true });
+      return withSession(state, { exporting: action.what !== 'history' });
+    case 'pictureTaken':
+      return withView(withSession(state, { exporting: false }), {
+        alert: action.failure === null ? view.alert : { title: 'There is no picture', message: action.failure },
+      });
     case 'wakened': {
       const { name } = session.phase;
       return restored(state, document, name, name === 'running' ? 'run' : 'hold');
@@ -259,6 +263,8 @@ function changed(state, action) {
       return undone(state);
     case 'redoPressed':
       return redone(state);
+    case 'linkRefused':
+      return withView(state, { alert: { title: 'There is no link', message: action.message, save: true } });
     case 'alertDismissed':
       return withView(state, { alert: null });
     case 'answered':

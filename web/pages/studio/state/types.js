@@ -10,7 +10,7 @@
 /** @import {EntryName} from '../../../address/compare.js' */
 /** @import {Shading} from '../../../colour/quantities.js' */
 /** @import {CatalogEntry} from '../../../files/catalog.js' */
-/** @import {Exportable, Message} from '../../../worker/protocol.js' */
+/** @import {Exportable, ExportOptions, Message} from '../../../worker/protocol.js' */
 /** @import {Loss} from '../../../worker/client.js' */
 
 /**
@@ -82,9 +82,10 @@
 /** Energies of a surface of this level. @typedef {{energies: Energies, evaluations: number, level: number}} Measurement */
 
 /**
- * The surface on the screen. `deviations` has the distance of each vertex of the limit mesh from the cage's own surface; null
+ * The surface on the screen. `patches` has its evaluated mesh; `deviations` has the distance of each vertex of the limit mesh from the cage's own surface; null
  * unless it is shown.
- * @typedef {{limit: Mesh, control: Mesh, deviations: Float32Array | null, evaluations: number}} Surface
+ * @typedef {{limit: Mesh, control: Mesh, patches: number, deviations: Float32Array | null,
+ *   evaluations: number}} Surface
  */
 
 /** A copy of the surface, in case the worker is lost. @typedef {{state: SurfaceState, evaluations: number}} SavedSurface */
@@ -101,7 +102,10 @@
  * @typedef {{entry: CatalogEntry, settings: Settings}} OpenEntry
  */
 
-/** `retry` is what can be tried again: to load the core, or an entry of the catalog. @typedef {{title: string, message: string, retry?: 'core' | EntryName}} Alert */
+/**
+ * `retry` is what can be tried again: to load the core, or an entry of the catalog. `save`: whether to offer to save the project.
+ * @typedef {{title: string, message: string, retry?: 'core' | EntryName, save?: boolean}} Alert
+ */
 
 /**
  * What came out of a problem: the run on the screen.
@@ -189,6 +193,13 @@
 
 /** @typedef {{document: Document, session: Session, view: View, history: History}} State */
 
+/**
+ * What can be saved as a file: what the worker makes, a picture of the view, and the history of the run. Pictures have a size
+ * in pixels, and the page's background or none.
+ * @typedef {Exportable | 'picture' | 'history'} Download
+ * @typedef {ExportOptions & {size?: [number, number], background?: boolean}} DownloadOptions
+ */
+
 /** How near the surface stays to the cage's own. @typedef {NonNullable<Constraints['closeness']>} Closeness */
 
 /**
@@ -224,9 +235,11 @@
  *   | {type: 'viewChanged', change: Partial<View>}
  *   | {type: 'fitPressed'}
  *   | {type: 'surfaceDrawn'}
- *   | {type: 'downloadPressed', what: Exportable}
+ *   | {type: 'downloadPressed', what: Download, options?: DownloadOptions}
+ *   | {type: 'pictureTaken', failure: string | null}
  *   | {type: 'undoPressed'} | {type: 'redoPressed'}
  *   | {type: 'wakened'}
+ *   | {type: 'linkRefused', message: string}
  *   | {type: 'alertDismissed'}
  *   | {type: 'answered', message: Message}
  *   | {type: 'workerLost', loss: Loss, detail: string}} Action

@@ -1,32 +1,45 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Reads the first of the files that the user drops on the page or chooses, and dispatches it.
+ * @file Reads the files that the user drops on the page or chooses, and passes them on.
  */
-
-/** @import {Action} from '../state/types.js' */
 
 /** Larger cage files are refused: they have more faces than can be minimized. */
 export const MAX_BYTES = 64 * 1024 * 1024;
 
+/** So many files are opened at once; each has a document of its own, with a worker. */
+export const MOST_FILES = 12;
+
+/** A file that has been read, or why it was not. @typedef {{name: string} & ({text: Uint8Array} | {refused: string})} Taken */
+
+/** @param {File} file @returns {Promise<Taken>} */
+async function read(file) {
+  const { name } = file;
+  if (file.size > MAX_BYTES) return { name, refused: 'The file is larger than 64 MB.' };
+  try {
+    return { name, text: new Uint8Array(await file.arrayBuffer()) };
+  } catch (error) {
+    // A folder, or a file that no longer exists.
+    return { name, refused: `It cannot be read: ${error instanceof Error ? error.message : error}` };
+  }
+}
+
 /**
- * @param {(action: Action) => void} dispatch
+ * @param {object} takers
+ * @param {(name: string, text: Uint8Array) => void} takers.open opens the only file
+ * @param {(name: string, text: Uint8Array) => void} takers.openBeside opens one of several, as a document of its own
+ * @param {(name: string, message: string) => void} takers.refuse
  * @returns {(files: File[]) => Promise<void>}
  */
-export function createFileTaker(dispatch) {
-  return async ([file]) => {
-    if (!file) return;
-    const { name } = file;
-    if (file.size > MAX_BYTES) {
-      dispatch({ type: 'fileRefused', name, message: 'The file is larger than 64 MB.' });
-      return;
+export function createFileTaker({ open, openBeside, refuse }) {
+  return async (files) => {
+    for (const file of files.slice(0, MOST_FILES)) {
+      const taken = await read(file);
+      if ('refused' in taken) refuse(taken.name, taken.refused);
+      else if (files.length === 1) open(taken.name, taken.text);
+      else openBeside(taken.name, taken.text);
     }
-    try {
-      dispatch({ type: 'fileChosen', name, text: new Uint8Array(await file.arrayBuffer()) });
-    } catch (error) {
-      // A folder, or a file that no longer exists.
-      const message = error instanceof Error ? error.message : String(error);
-      dispatch({ type: 'fileRefused', name, message: `It cannot be read: ${message}` });
-    }
+    const next = files[MOST_FILES];
+    if (next) refuse(next.name, `At most ${MOST_FILES} files are opened at once.`);
   };
 }
 

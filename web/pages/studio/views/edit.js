@@ -2,19 +2,17 @@
 /**
  * @file Undo, redo and saving the document, by button and by key.
  */
-import { find, onPress, setEnabled, setText } from '../../../views/dom.js';
+import { find, onPress, setEnabled, setText, takesText } from '../../../views/dom.js';
 import { redoName, undoName } from '../state/history.js';
 
 /** @import {Action, State} from '../state/types.js' */
-
-/** Fields in which the browser itself takes back what is typed. */
-const TYPED = 'input:not([type]), input[type=text], input[type=number], input[type=search], textarea';
 
 /** @param {KeyboardEvent} event @returns {'undo' | 'redo' | 'save' | null} */
 function keyOf({ key, ctrlKey, metaKey, shiftKey, altKey, target }) {
   if (!(ctrlKey || metaKey) || altKey) return null;
   if (key.toLowerCase() === 's' && !shiftKey) return 'save';
-  if (target instanceof Element && target.matches(TYPED)) return null;
+  // There the browser itself takes back what is typed.
+  if (takesText(target)) return null;
   if (key.toLowerCase() === 'z') return shiftKey ? 'redo' : 'undo';
   return key.toLowerCase() === 'y' && !shiftKey ? 'redo' : null;
 }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file The colours of a mesh's vertices for a file, the same as on the screen.
+ */
+import { MAP_SIZE, mapColours } from '../colour/maps.js';
+import { toLinearRgb } from '../colour/oklab.js';
+import { quantityOf } from '../colour/quantities.js';
+
+/** @import {Shading} from '../colour/quantities.js' */
+/** @import {Colours} from '../files/glb.js' */
+
+/** What colours the surface, and the values at the ends of the colour map. @typedef {{shading: Shading, low: number, high: number}} Colouring */
+
+const ONE = 65535;
+
+/**
+ * @param {Colouring} colouring
+ * @param {Float32Array} curvatures κ1, κ2 per vertex
+ * @param {() => Float32Array} deviations per vertex, if the deviation is what is shown
+ * @returns {Colours | null} null if the shading gives no colours of its own
+ */
+export function coloursOf({ shading, low, high }, curvatures, deviations) {
+  const quantity = quantityOf(shading);
+  if (!quantity) return null;
+  const { value, map } = quantity;
+  const shown = value ? null : deviations();
+  const palette = mapColours(map).map((lab) => toLinearRgb(lab).map((part) => Math.round(ONE * clamped(part))));
+  const count = curvatures.length / 2;
+  const colours = new Uint16Array(4 * count);
+  for (let i = 0; i < count; i++) {
+    const number = value ? value(curvatures[2 * i], curvatures[2 * i + 1]) : (shown?.[i] ?? 0);
+    const entry = Math.round((MAP_SIZE - 1) * clamped((number - low) / (high - low)));
+    colours.set([...palette[entry], ONE], 4 * i);
+  }
+  return colours;
+}
+
+/** To [0, 1]; what is no number is 0. @param {number} value */
+const clamped = (value) => Math.min(1, Math.max(0, value || 0));
