@@ -27,11 +27,13 @@ import { createObjectiveView } from './pages/studio/views/objective.js';
 import { createPinsView } from './pages/studio/views/pins.js';
 import { createPlotView } from './pages/studio/views/plot.js';
 import { createRunView } from './pages/studio/views/run.js';
+import { createShowView } from './pages/studio/views/show.js';
 import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
 import { createUndrawnView } from './pages/studio/views/undrawn.js';
 import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
 import { createLegendView } from './views/legend.js';
+import { createMenus } from './views/menu.js';
 import { createThemeView } from './views/theme.js';
 import { deviationUnit } from './words/holding.js';
 import { createClient } from './worker/client.js';
@@ -123,6 +125,7 @@ const plain = [
   createHeldKeyView(byId('held-key')),
   createObjectiveView(byId('objective'), dispatch),
   createRunView(byId('run'), dispatch),
+  createShowView(byId('show'), dispatch),
   createPlotView(byId('plot')),
   createEnergiesView(byId('energies')),
   createLevelsView(byId('levels')),
@@ -131,6 +134,7 @@ const plain = [
   createDownloadsView(byId('downloads'), dispatch),
   createAlertView(byId('alert'), dispatch),
 ];
+createMenus(byId('surface'));
 createDropView(byId('drop'), takeFiles);
 createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')));
 

@@ -58,6 +58,12 @@ export function robustRange(values, signed) {
   return { low: ticks[0], high: ticks[ticks.length - 1], ticks };
 }
 
+/** How many isolines a range has, at most. */
+const MOST_ISOLINES = 20;
+
+/** The distance of two isolines: a round number, of which 0 is a multiple. @param {Range} range */
+export const isolineStep = ({ low, high }) => roundUp((high - low) / MOST_ISOLINES, NICE_STEPS);
+
 /**
  * From the largest of the values to its opposite, rounded outwards: nothing lies outside.
  * @param {Float32Array} values

@@ -4,7 +4,7 @@
  * the range of the colours, common to all surfaces.
  */
 import { mapGradient } from '../colour/maps.js';
-import { quantities, quantityOf, sampleValues } from '../colour/quantities.js';
+import { patterns, quantities, quantityOf, sampleValues } from '../colour/quantities.js';
 import { calmRange, fullRange, robustRange, sameRange } from '../colour/range.js';
 import { compact } from '../words/numbers.js';
 import { element, find, setText, whenChanged } from './dom.js';
@@ -35,8 +35,7 @@ export function createLegendView(root, choose, unit = (quantity) => `in ${quanti
   const ticks = find(root, '.ticks');
   const caption = find(root, 'figcaption');
   select.append(
-    ...offered.map(({ shading, name }) => element('option', { value: shading }, name)),
-    element('option', { value: 'stripes' }, 'Reflection stripes'),
+    ...[...offered, ...patterns].map(({ shading, name }) => element('option', { value: shading }, name)),
     element('option', { value: 'plain' }, 'Plain'),
   );
   select.addEventListener('change', () => choose(/** @type {Shading} */ (select.value)), { signal: listening.signal });

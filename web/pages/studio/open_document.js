@@ -80,7 +80,7 @@ export function createOpenDocument(begun, { connect, save, load, setAddress, cha
       if (isBusy(state)) return false;
       client?.dispose();
       client = null;
-      state = withView(state, { surface: null });
+      state = withView(state, { surface: null, start: null });
       return true;
     },
 

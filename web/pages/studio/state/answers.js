@@ -46,6 +46,8 @@ function afterRunMessage(state, message) {
   switch (message.type) {
     case 'surfaced':
       return afterSurfaced(state, message, evaluations);
+    case 'recalled':
+      return withView(state, { start: { run: message.run, limit: message.limit, cage: message.cage } });
     case 'measured': {
       const { energies, level } = message;
       const kept = known && result.latest?.evaluations === evaluations ? result.latest : null;
@@ -98,11 +100,11 @@ const withoutCertifying = (state) =>
 /** @param {State} state @param {Surfaced} message @param {number} evaluations @returns {State} */
 function afterSurfaced(state, message, evaluations) {
   const { surface, fits, fitDue } = state.view;
-  const { deviations = null, coarse = false } = message;
+  const { density, deviations = null, coarse = false } = message;
   const limit = withTopology(message.limit, surface?.limit);
   const control = withTopology(message.control, surface?.control);
   return withView(state, {
-    surface: { limit, control, deviations, evaluations },
+    surface: { limit, density, control, deviations, evaluations },
     coarse,
     fits: fits + (fitDue ? 1 : 0),
     fitDue: false,

@@ -82,10 +82,12 @@
 /** Energies of a surface of this level. @typedef {{energies: Energies, evaluations: number, level: number}} Measurement */
 
 /**
- * The surface on the screen. `deviations` has the distance of each vertex of the limit mesh from the cage's own surface; null
+ * The surface on the screen. `density` counts the quads along each edge of a patch of its limit mesh. `deviations` has the distance of each vertex of the limit mesh from the cage's own surface; null
  * unless it is shown.
- * @typedef {{limit: Mesh, control: Mesh, deviations: Float32Array | null, evaluations: number}} Surface
+ * @typedef {{limit: Mesh, density: number, control: Mesh, deviations: Float32Array | null, evaluations: number}} Surface
  */
+
+/** Where a run began: the limit mesh of the cage's own surface, and the cage. @typedef {{run: number, limit: Mesh, cage: Mesh}} Start */
 
 /** A copy of the surface, in case the worker is lost. @typedef {{state: SurfaceState, evaluations: number}} SavedSurface */
 
@@ -162,11 +164,15 @@
  * @typedef {object} View
  * @property {Shading} shading
  * @property {boolean} cage whether the control cage is shown
+ * @property {boolean} original whether the cage is shown that the surface began from
+ * @property {boolean} patches whether the edges of the patches are shown
+ * @property {boolean} isolines whether the quantity that colours the surface has isolines
  * @property {Camera} camera
  * @property {'light' | 'dark' | 'system'} theme
  * @property {Pointer} pointer
  * @property {number | null} boundary the number of the one that is marked on the surface
  * @property {Surface | null} surface
+ * @property {Start | null} start of the run that was asked last
  * @property {boolean} coarse whether to ask for a finer surface once this one has been drawn
  * @property {number} fits how often the user asked to fit the surface into the view
  * @property {boolean} fitDue whether the next surface belongs to a new cage

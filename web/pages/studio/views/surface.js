@@ -2,7 +2,7 @@
 /**
  * @file The picture of the surface: passes meshes and colours to the scene, and reports the camera.
  */
-import { quantityOf } from '../../../colour/quantities.js';
+import { patternOf, quantityOf } from '../../../colour/quantities.js';
 import { drawing } from '../../../scene/drawing.js';
 import { createScene } from '../../../scene/scene.js';
 import { heldFaces } from '../state/hold.js';
@@ -14,10 +14,10 @@ import { find, whenChanged } from '../../../views/dom.js';
 import { listenToKeys } from '../../../views/keys.js';
 
 /** @import {Camera} from '../../../address/camera.js' */
-/** @import {Quantity} from '../../../colour/quantities.js' */
+/** @import {Pattern, Quantity} from '../../../colour/quantities.js' */
 /** @import {Range} from '../../../colour/range.js' */
 /** @import {Constraints} from '../../../../wasm/types.js' */
-/** @import {Action, CageFaces, OpenCage, Pointer, State, Surface, TakenCage} from '../state/types.js' */
+/** @import {Action, CageFaces, OpenCage, Pointer, Start, State, Surface, TakenCage} from '../state/types.js' */
 
 /**
  * @param {HTMLElement} root
@@ -27,7 +27,6 @@ export function createSurfaceView(root, dispatch) {
   const canvas = /** @type {HTMLCanvasElement} */ (find(root, 'canvas'));
   const listening = new AbortController();
   const { signal } = listening;
-  const showCage = /** @type {HTMLInputElement} */ (find(root, '[name=show-cage]'));
   const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
   const speed = drawing();
   /** @param {Camera} camera */
@@ -43,9 +42,6 @@ export function createSurfaceView(root, dispatch) {
   find(root, '.no-webgl').hidden = Boolean(scene);
   canvas.hidden = !scene;
 
-  showCage.addEventListener('change', () => dispatch({ type: 'viewChanged', change: { cage: showCage.checked } }), {
-    signal,
-  });
   find(root, '#fit').addEventListener('click', () => dispatch({ type: 'fitPressed' }), { signal });
 
   const undrawn = createUndrawnView(root);
@@ -85,16 +81,27 @@ export function createSurfaceView(root, dispatch) {
     awaited = coarse;
     if (!scene) queueMicrotask(drawn);
   });
-  const setCage = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ visible) => {
-    if (visible) scene?.setCage(surface.control);
-    scene?.showCage(visible);
-    showCage.checked = visible;
-  });
+  const setLines = whenChanged(
+    (
+      /** @type {Surface} */ surface,
+      /** @type {boolean} */ cage,
+      /** @type {boolean} */ patches,
+      /** @type {Start | null} */ start,
+    ) =>
+      scene?.setLines(
+        { control: cage ? surface.control : null, original: start?.cage ?? null, patches },
+        surface.density,
+      ),
+  );
   // The symmetry axis of generated shapes is z; modelling programs usually write y upwards.
   const setUp = whenChanged((/** @type {boolean} */ generated) => scene?.setUp(generated ? 'z' : 'y'));
   const shade = whenChanged(
-    (/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range, /** @type {boolean} */ striped) =>
-      scene?.shade(quantity, range, striped),
+    (
+      /** @type {Quantity | null} */ quantity,
+      /** @type {Range | null} */ range,
+      /** @type {Pattern | null} */ pattern,
+      /** @type {boolean} */ isolines,
+    ) => scene?.shade({ quantity, range, pattern, isolines }),
   );
   const recolour = whenChanged((/** @type {boolean} */ dark) => {
     // A colour of the style sheet, whatever form it is given in there, as the browser computes it.
@@ -113,19 +120,21 @@ export function createSurfaceView(root, dispatch) {
      */
     update(state, range, dark) {
       recolour(dark);
-      if (!state.view.surface) return;
-      setCamera(state.view.camera);
-      setUp(state.document.cage?.source.kind === 'generated');
-      ({ pointer } = state.view);
-      vertices = state.document.cage?.counts.vertices ?? 0;
+      const { view, document } = state;
+      if (!view.surface) return;
+      const start = view.start?.run === state.session.run ? view.start : null;
+      setCamera(view.camera);
+      setUp(document.cage?.source.kind === 'generated');
+      ({ pointer } = view);
+      vertices = document.cage?.counts.vertices ?? 0;
       canvas.dataset.pointer = pointer;
-      setHeld(state.document.settings.constraints, cageOnScreen(state.document));
-      setSurface(state.view.surface);
-      setMarked(state.view.boundary, state.document.cage, state.document.result.taken, state.view.surface);
-      awaitPicture(state.view.surface, state.view.coarse);
-      setCage(state.view.surface, state.view.cage);
-      shade(quantityOf(state.view.shading), range, state.view.shading === 'stripes');
-      fit(state.view.fits);
+      setHeld(document.settings.constraints, cageOnScreen(document));
+      setSurface(view.surface);
+      setMarked(view.boundary, document.cage, document.result.taken, view.surface);
+      awaitPicture(view.surface, view.coarse);
+      setLines(view.surface, view.cage, view.patches, view.original ? start : null);
+      shade(quantityOf(view.shading), range, patternOf(view.shading), view.isolines);
+      fit(view.fits);
       shown = true;
     },
     dispose() {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What is shown over the surface and of it: lines, values, the legend's range, cameras and the cage's own surface, on
+ * one page.
+ */
+import path from 'node:path';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { drawn, openPage, screenshots } from './page.js';
+import { difference } from './pictures.js';
+import { servedPage } from './served.js';
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const served = servedPage();
+/** @type {Page} */
+let page;
+/** @type {string[]} */
+let errors;
+beforeAll(async () => {
+  ({ page, errors } = await openPage(served.browser, served.url, {
+    reducedMotion: 'reduce',
+    viewport: { width: 760, height: 520 }, // few pixels are drawn soon
+  }));
+}, 60_000);
+afterAll(() => page?.context().close());
+
+/** The left part of the surface, over which nothing lies. */
+async function picture() {
+  await drawn(page);
+  const box = await page.locator('#surface').boundingBox();
+  if (!box) throw new Error('there is no surface');
+  const clip = { x: box.x, y: box.y + 0.1 * box.height, width: 0.27 * box.width, height: 0.55 * box.height };
+  return (await page.screenshot({ clip })).toString('base64');
+}
+
+/** The picture, as soon as it differs from another. @param {string} before */
+async function changed(before) {
+  for (let i = 0; i < 50; i++) {
+    const now = await picture();
+    if (now !== before) return now;
+  }
+  throw new Error('the picture stays as it is');
+}
+
+describe('the menu of what is shown', () => {
+  test('has isolines, the edges of patches and both cages, each drawn while it is on', async () => {
+    await page.locator('#show summary').click();
+    const plain = await picture();
+    const pictures = new Set([plain]);
+    for (const name of ['Isolines', 'Patch edges', 'Control cage', 'Original cage']) {
+      const box = page.getByRole('checkbox', { name });
+      await box.check();
+      // The cage that it began from comes from the worker.
+      const shown = await changed(plain);
+      expect(await difference(page, plain, shown)).toBeGreaterThan(0.002);
+      pictures.add(shown);
+      await page.screenshot({ path: path.join(screenshots, `shown-${name}.png`) });
+      await box.uncheck();
+    }
+    expect(pictures.size).toBe(5);
+    expect((await picture()) === plain).toBe(true);
+    await page.keyboard.press('Escape');
+    expect(await page.getByRole('checkbox', { name: 'Isolines' }).isVisible()).toBe(false);
+  }, 60_000);
+
+  test('has no isolines where no quantity colours the surface', async () => {
+    const isolines = page.locator('[name=show-isolines]');
+    await page.locator('[name=shading]').selectOption('isophotes');
+    expect(await isolines.isDisabled()).toBe(true);
+    await page.locator('[name=shading]').selectOption('mean');
+    expect(await isolines.isDisabled()).toBe(false);
+    await drawn(page);
+    expect(errors).toEqual([]);
+  });
+});
