@@ -45,11 +45,10 @@ function dispatch(action) {
 const byId = (id) => find(document, `#${id}`);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
 /** Curvatures are in units of that of a sphere with the same area. */
-const legend = createLegendView(
-  byId('legend'),
-  (shading) => dispatch({ type: 'shadingChosen', shading }),
-  () => '1 on a sphere of equal area',
-);
+const legend = createLegendView(byId('legend'), {
+  choose: (shading) => dispatch({ type: 'shadingChosen', shading }),
+  unit: () => '1 on a sphere of equal area',
+});
 const panes = createPanesView(byId('panes'), dispatch);
 const views = [
   createNoticesView(byId('notices'), () => dispatch({ type: 'noticesDismissed' })),

@@ -40,7 +40,7 @@ import { createClient } from './worker/client.js';
 import { createSpare } from './worker/spare.js';
 import { createRequests } from './worker/requests.js';
 
-/** @import {Action} from './pages/studio/state/types.js' */
+/** @import {Action, State} from './pages/studio/state/types.js' */
 
 /** Why the browser does not keep the documents; null if it does. @type {string | null} */
 let unkept = null;
@@ -90,6 +90,9 @@ function saveProject() {
   if (project) saveFile(project.name, project.text, 'application/json');
 }
 
+/** Whether the cage is a file's. @param {State} state */
+const isFile = ({ document: { cage } }) => cage?.source.kind === 'text';
+
 const takeFiles = createFileTaker(dispatch);
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
@@ -97,15 +100,15 @@ const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), 
   dispatch({ type: 'viewChanged', change: { theme: chosen } }),
 );
 theme.update(storedTheme()); // the page shows before its documents are read
-const legend = createLegendView(
-  byId('legend'),
-  (shading) => dispatch({ type: 'viewChanged', change: { shading } }),
-  (quantity) => {
-    const fromFile = desk.state.document.cage?.source.kind === 'text';
-    return quantity === deviation ? deviationUnit(fromFile) : `in ${quantity.unit}`;
+const legend = createLegendView(byId('legend'), {
+  choose: (shading) => dispatch({ type: 'viewChanged', change: { shading } }),
+  unit: (quantity) => (quantity === deviation ? deviationUnit(isFile(desk.state)) : `in ${quantity.unit}`),
+  offered: allQuantities,
+  pin: (ends) => {
+    const { shading } = desk.state.view;
+    dispatch({ type: 'viewChanged', change: { pinned: ends && { shading, ...ends } } });
   },
-  allQuantities,
-);
+});
 /** @type {ReturnType<typeof import('./pages/studio/views/surface.js').createSurfaceView> | null} */
 let surface = null;
 const documents = createDocumentsView(byId('documents'), {
@@ -143,10 +146,14 @@ function show() {
   const { state } = desk;
   const dark = theme.update(state.view.theme);
   // While the surface moves, the range changes rarely; another cage or a surface at rest gets its own range.
+  const { shading, surface: shown, pinned, isolines } = state.view;
   const range = legend.update({
-    shading: state.view.shading,
-    deviations: state.view.surface?.deviations,
-    curvatures: state.view.surface ? [state.view.surface.limit.curvatures] : [],
+    shading,
+    deviations: shown?.deviations,
+    curvatures: shown ? [shown.limit.curvatures] : [],
+    mesh: shown?.limit,
+    pinned: pinned?.shading === shading ? pinned : null,
+    isolines,
     occasion: `${state.session.run} ${state.session.phase.name === 'running'}`,
   });
   surface?.update(state, range, dark);

@@ -73,3 +73,37 @@ describe('the menu of what is shown', () => {
     expect(errors).toEqual([]);
   });
 });
+
+describe('the legend', () => {
+  const ends = async () => {
+    const texts = await page.locator('#legend .ticks span').allInnerTexts();
+    return [texts[0], texts[texts.length - 1]];
+  };
+
+  test('has a histogram, and a range that can be pinned, typed and reset', async () => {
+    expect(await page.locator('#legend svg').getAttribute('aria-label')).toMatch(/^The area by value, /);
+    expect(await page.locator('#legend svg path').getAttribute('d')).toMatch(/^M0 7V/);
+    const free = await ends();
+    const plain = await picture();
+    await page.locator('#legend summary').click();
+    const largest = page.getByRole('textbox', { name: 'Largest value' });
+    await largest.fill('-20');
+    await largest.press('Enter');
+    expect(await page.locator('#legend .problem').innerText()).toMatch('less than');
+    await largest.fill('1.5');
+    await largest.press('Enter');
+    const typed = [free[0], '1.5'];
+    expect(await ends()).toEqual(typed);
+    await changed(plain);
+    // It stays with another surface, and belongs to this quantity.
+    await page.locator('[name=shading]').selectOption('gaussian');
+    expect(await ends()).not.toEqual(typed);
+    await page.locator('[name=shading]').selectOption('mean');
+    expect(await ends()).toEqual(typed);
+    expect(await page.getByRole('button', { name: 'Pin' }).getAttribute('aria-pressed')).toBe('true');
+    await page.locator('#legend').getByRole('button', { name: 'Reset' }).click();
+    expect(await ends()).toEqual(free);
+    await page.locator('#legend summary').click();
+    expect((await picture()) === plain).toBe(true);
+  }, 60_000);
+});

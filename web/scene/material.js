@@ -6,7 +6,7 @@
 import { Color, DataTexture, DoubleSide, LinearFilter, MeshStandardMaterial, SRGBColorSpace } from 'three';
 import { MAP_SIZE, mapBytes } from '../colour/maps.js';
 import { allQuantities } from '../colour/quantities.js';
-import { isolineStep } from '../colour/range.js';
+import { isolineStep, middleOf } from '../colour/range.js';
 import { PATTERNS, addPatterns, addQuantity } from './shaders.js';
 
 /** @import {MapName} from '../colour/maps.js' */
@@ -41,7 +41,7 @@ export function createSurfaceMaterial() {
   const uniforms = {
     which: { value: -1 },
     colourMap: { value: textures.diverging },
-    range: { value: [-1, 1] },
+    range: { value: [-1, 0, 1] },
     isolines: { value: 0 },
   };
   const patterns = { pattern: { value: 0 } };
@@ -60,7 +60,7 @@ export function createSurfaceMaterial() {
       uniforms.which.value = quantity && range ? allQuantities.indexOf(quantity) : -1;
       if (!quantity || !range) return;
       uniforms.colourMap.value = textures[quantity.map];
-      uniforms.range.value = [range.low, range.high];
+      uniforms.range.value = [range.low, middleOf(quantity.signed, range), range.high];
       uniforms.isolines.value = isolines ? isolineStep(range) : 0;
     },
     dispose() {

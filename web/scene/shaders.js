@@ -30,19 +30,20 @@ float quantityOf(vec2 k, float d) {
 const FRAGMENT_HEAD = `
 uniform int which;
 uniform sampler2D colourMap;
-uniform vec2 range;
+uniform vec3 range;
 uniform float isolines;
 varying float vQuantity;
 `;
 
 /**
- * Maps [0, 1] to the map's texel centres, which run from 0.5 to MAP_SIZE - 0.5. Isolines are at the multiples of `isolines`,
+ * `range` has the values with the first, the middle and the last colour. Maps [0, 1] to the map's texel centres, which run from 0.5 to MAP_SIZE - 0.5. Isolines are at the multiples of `isolines`,
  * dark on light colours and light on dark ones; that of 0 is wider. Where they are finer than the pixels they fade.
  */
 const FRAGMENT_COLOUR = `
 #include <color_fragment>
 if (which >= 0) {
-  float t = clamp((vQuantity - range.x) / (range.y - range.x), 0.0, 1.0);
+  float side = vQuantity - range.y;
+  float t = clamp(0.5 + 0.5 * side / (side < 0.0 ? range.y - range.x : range.z - range.y), 0.0, 1.0);
   diffuseColor.rgb = texture2D(colourMap, vec2((0.5 + t * ${(MAP_SIZE - 1).toFixed(1)}) / ${MAP_SIZE.toFixed(1)}, 0.5)).rgb;
 }
 if (which >= 0 && isolines > 0.0) {

@@ -7,7 +7,7 @@ import { hasMoved } from './restore.js';
 /** @import {Document, History, Phase, State, View} from './types.js' */
 
 /** What is kept of how the surface was looked at. */
-const KEPT_VIEW = /** @type {const} */ (['shading', 'isolines', 'cage', 'original', 'patches', 'camera']);
+const KEPT_VIEW = /** @type {const} */ (['shading', 'pinned', 'isolines', 'cage', 'original', 'patches', 'camera']);
 
 /** @typedef {Pick<View, typeof KEPT_VIEW[number]>} KeptView */
 

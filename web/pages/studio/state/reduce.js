@@ -64,6 +64,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       original: false,
       patches: false,
       isolines: false,
+      pinned: null,
       camera: address.camera,
       theme,
       pointer: 'turn',

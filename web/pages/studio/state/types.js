@@ -166,6 +166,7 @@
  * @property {boolean} cage whether the control cage is shown
  * @property {boolean} original whether the cage is shown that the surface began from
  * @property {boolean} patches whether the edges of the patches are shown
+ * @property {{shading: Shading, low: number, high: number} | null} pinned the range of the colours of one shading, if it is to stay
  * @property {boolean} isolines whether the quantity that colours the surface has isolines
  * @property {Camera} camera
  * @property {'light' | 'dark' | 'system'} theme

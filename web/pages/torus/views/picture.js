@@ -51,11 +51,10 @@ export function createPictureView(root, dispatch) {
   const fitPressed = () => dispatch({ type: 'fitPressed' });
   listenToKeys(canvas, scene?.controls, fitPressed, listening.signal);
   find(root, '#fit').addEventListener('click', fitPressed, { signal: listening.signal });
-  const legend = createLegendView(
-    find(root, '#legend'),
-    (/** @type {Shading} */ shading) => dispatch({ type: 'shadingChosen', shading }),
-    () => '1 on a sphere of equal area',
-  );
+  const legend = createLegendView(find(root, '#legend'), {
+    choose: (/** @type {Shading} */ shading) => dispatch({ type: 'shadingChosen', shading }),
+    unit: () => '1 on a sphere of equal area',
+  });
   scene?.setUp('z');
 
   /** @type {Mesh | null} */
@@ -80,7 +79,7 @@ export function createPictureView(root, dispatch) {
     update({ least, camera, shading, fits }) {
       setCamera(camera);
       if (least) setRatio(drawnRatio(least.minimizer.ratio));
-      const range = legend.update({ shading, curvatures: mesh ? [mesh.curvatures] : [], occasion: '' });
+      const range = legend.update({ shading, curvatures: mesh ? [mesh.curvatures] : [], mesh, occasion: '' });
       shade(quantityOf(shading), range, patternOf(shading));
       fit(fits);
     },
