@@ -175,7 +175,7 @@ drawing.catch(() => {}); // handled below
 await desk.restore({ search: location.search, shown: history.state?.document ?? null, theme: storedTheme() });
 try {
   const { createSurfaceView } = await drawing;
-  surface = createSurfaceView(byId('surface'), dispatch);
+  surface = createSurfaceView(byId('surface'), dispatch, legend.mark);
 } catch {
   createUndrawnView(byId('surface')).tell('unloaded');
 }

@@ -107,3 +107,42 @@ describe('the legend', () => {
     expect((await picture()) === plain).toBe(true);
   }, 60_000);
 });
+
+describe('the values of the surface', () => {
+  const reading = () => page.locator('#reading');
+  const mark = () => page.locator('#legend .mark');
+
+  test('under the pointer are told and marked in the legend, and not beside the surface', async () => {
+    const box = await page.locator('#surface canvas').boundingBox();
+    if (!box) throw new Error('there is no canvas');
+    // Left of the hole in the middle.
+    await page.mouse.move(box.x + 0.24 * box.width, box.y + 0.5 * box.height);
+    await reading().waitFor();
+    expect(await reading().innerText()).toMatch(/^κ₁ \S+, κ₂ \S+, H \S+ per length, K \S+ per length²\s+at \(.*\)$/);
+    expect(await mark().isVisible()).toBe(true);
+    expect(await reading().getAttribute('aria-live')).toBe('off');
+    await page.mouse.move(box.x + 0.95 * box.width, box.y + 0.5 * box.height);
+    await reading().waitFor({ state: 'hidden' });
+    expect(await mark().isVisible()).toBe(false);
+  }, 30_000);
+
+  test('at the middle of the picture are told by key, also while the surface is turned', async () => {
+    await page.mouse.move(0, 0);
+    await page.locator('#surface canvas').focus();
+    await page.keyboard.press('v');
+    await reading().waitFor();
+    expect(await reading().getAttribute('aria-live')).toBe('polite');
+    await page.keyboard.press('ArrowDown');
+    for (let i = 0; i < 12 && !/^κ₁/.test(await reading().innerText()); i++) {
+      await page.keyboard.press('ArrowDown');
+      await drawn(page);
+    }
+    const first = await reading().innerText();
+    expect(first).toMatch(/^κ₁/);
+    await page.screenshot({ path: path.join(screenshots, 'shown-reading.png') });
+    await page.keyboard.press('ArrowUp');
+    await page.waitForFunction((before) => document.querySelector('#reading')?.textContent !== before, first);
+    await page.keyboard.press('v');
+    await reading().waitFor({ state: 'hidden' });
+  }, 30_000);
+});

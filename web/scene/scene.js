@@ -2,7 +2,7 @@
 /**
  * @file The three.js scene: surface, lines over it, light and camera. Draws only when something has changed.
  */
-import { BufferGeometry, Mesh, Raycaster, Scene, Vector2 } from 'three';
+import { BufferGeometry, Mesh, Scene } from 'three';
 import { extent, setDeviations, setParts, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
 import { createMarks } from './marks.js';
@@ -10,7 +10,7 @@ import { createSurfaceMaterial } from './material.js';
 import { createOrbit } from './orbit.js';
 import { createOverlays } from './overlays.js';
 import { createPainter } from './painter.js';
-import { nearestVertex, pick } from './pick.js';
+import { createPointing } from './pointing.js';
 import { createStand } from './stand.js';
 
 /** @import * as core from '../../wasm/types.js' */
@@ -41,6 +41,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
   surface.visible = false;
   surface.frustumCulled = false;
   const overlays = createOverlays(surfaceGeometry);
+  const pointing = createPointing(surface, () => camera);
   const stand = createStand();
   const marks = createMarks();
   stand.model.add(surface, overlays.group, marks.group);
@@ -118,6 +119,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       setDeviations(surfaceGeometry, deviations);
       placePins(mesh);
       shown = mesh;
+      pointing.set(mesh, deviations);
       stand.centre(extent(mesh.positions));
       overlays.move(mesh.centre);
       surface.visible = true;
@@ -146,22 +148,9 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       requestRender();
     },
 
-    /**
-     * What is under a point of the canvas.
-     * @param {number} x from 0 at the left to 1 at the right
-     * @param {number} y from 0 at the top to 1 at the bottom
-     * @param {number} vertices of the cage
-     * @returns {{face: number, vertex: number} | null} the face of the cage, and its vertex nearest to the point, from 0
-     */
-    pick(x, y, vertices) {
-      if (!shown) return null;
-      scene.updateMatrixWorld();
-      const ray = new Raycaster();
-      ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), camera);
-      ray.ray.applyMatrix4(surface.matrixWorld.clone().invert());
-      const hit = pick(shown, ray.ray.origin.toArray(), ray.ray.direction.toArray());
-      return hit && { face: hit.face, vertex: nearestVertex(shown, hit, vertices) };
-    },
+    /** What is under a point of the picture; see pointing.js. */
+    cell: pointing.cell,
+    reading: pointing.reading,
 
     /**
      * Lines over the surface that was set last; none for null.

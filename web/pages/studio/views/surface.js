@@ -9,6 +9,7 @@ import { heldFaces } from '../state/hold.js';
 import { cageOnScreen } from '../state/taken.js';
 import { createBoundaryEdges } from './boundary_edges.js';
 import { listenToBrush } from './brush.js';
+import { createProbe } from './probe.js';
 import { createUndrawnView } from './undrawn.js';
 import { find, whenChanged } from '../../../views/dom.js';
 import { listenToKeys } from '../../../views/keys.js';
@@ -16,14 +17,16 @@ import { listenToKeys } from '../../../views/keys.js';
 /** @import {Camera} from '../../../address/camera.js' */
 /** @import {Pattern, Quantity} from '../../../colour/quantities.js' */
 /** @import {Range} from '../../../colour/range.js' */
+/** @import {Reading} from '../../../scene/reading.js' */
 /** @import {Constraints} from '../../../../wasm/types.js' */
 /** @import {Action, CageFaces, OpenCage, Pointer, Start, State, Surface, TakenCage} from '../state/types.js' */
 
 /**
  * @param {HTMLElement} root
  * @param {(action: Action) => void} dispatch
+ * @param {(reading: Reading | null) => void} pointed called with the values of the point that is pointed at
  */
-export function createSurfaceView(root, dispatch) {
+export function createSurfaceView(root, dispatch, pointed) {
   const canvas = /** @type {HTMLCanvasElement} */ (find(root, 'canvas'));
   const listening = new AbortController();
   const { signal } = listening;
@@ -34,6 +37,7 @@ export function createSurfaceView(root, dispatch) {
   /** Whether the worker waits for this picture before it continues. */
   let awaited = false;
   function drawn() {
+    probe.refresh();
     if (!awaited) return;
     awaited = false;
     dispatch({ type: 'surfaceDrawn' });
@@ -48,14 +52,16 @@ export function createSurfaceView(root, dispatch) {
   canvas.addEventListener('webglcontextlost', () => undrawn.tell('lost'), { signal });
   canvas.addEventListener('webglcontextrestored', () => undrawn.tell(null), { signal });
 
-  listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal);
+  const probe = createProbe(root, canvas, { read: (x, y) => scene?.reading(x, y) ?? null, pointed });
+  const keys = { v: probe.toggle };
+  listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal, keys);
   /** @type {Pointer} */
   let pointer = 'turn';
   let vertices = 0;
   const brush = {
     pointer: () => pointer,
     /** @param {number} x @param {number} y */
-    pick: (x, y) => scene?.pick(x, y, vertices) ?? null,
+    pick: (x, y) => scene?.cell(x, y, vertices) ?? null,
   };
   listenToBrush(canvas, brush, dispatch, signal);
 
@@ -139,6 +145,7 @@ export function createSurfaceView(root, dispatch) {
     },
     dispose() {
       listening.abort();
+      probe.dispose();
       scene?.dispose();
     },
   };
