@@ -14,6 +14,7 @@ import { isProject } from './pages/studio/project.js';
 import { initialState } from './pages/studio/state/reduce.js';
 import { createBoundariesView } from './pages/studio/views/boundaries.js';
 import { createCageView } from './pages/studio/views/cage.js';
+import { createCameraView } from './pages/studio/views/camera.js';
 import { createCertificateView } from './pages/studio/views/certificate.js';
 import { createClosenessView } from './pages/studio/views/closeness.js';
 import { createDocumentsView } from './pages/studio/views/documents.js';
@@ -129,6 +130,7 @@ const plain = [
   createObjectiveView(byId('objective'), dispatch),
   createRunView(byId('run'), dispatch),
   createShowView(byId('show'), dispatch),
+  createCameraView(byId('camera'), dispatch),
   createPlotView(byId('plot')),
   createEnergiesView(byId('energies')),
   createLevelsView(byId('levels')),

@@ -5,7 +5,7 @@
  */
 import path from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { drawn, openPage, screenshots } from './page.js';
+import { drawn, look, openAddress, openPage, screenshots } from './page.js';
 import { difference } from './pictures.js';
 import { servedPage } from './served.js';
 
@@ -24,13 +24,34 @@ beforeAll(async () => {
 }, 60_000);
 afterAll(() => page?.context().close());
 
-/** The left part of the surface, over which nothing lies. */
+/** The picture of the surface, without what lies over it. */
 async function picture() {
   await drawn(page);
-  const box = await page.locator('#surface').boundingBox();
-  if (!box) throw new Error('there is no surface');
-  const clip = { x: box.x, y: box.y + 0.1 * box.height, width: 0.27 * box.width, height: 0.55 * box.height };
-  return (await page.screenshot({ clip })).toString('base64');
+  const style = '#surface > :not(.view) { visibility: hidden !important } canvas { outline: none !important }';
+  return (await page.locator('#surface .view').screenshot({ style })).toString('base64');
+}
+
+/**
+ * Where in a picture the surface begins, at 45 % of the canvas' height, as a fraction of the canvas' width.
+ * @param {string} encoded
+ */
+function coveredFrom(encoded) {
+  return page.evaluate(async (text) => {
+    const response = await fetch(`data:image/png;base64,${text}`);
+    const bitmap = await createImageBitmap(await response.blob());
+    const context = new OffscreenCanvas(bitmap.width, 1).getContext('2d');
+    if (!context) throw new Error('there is no canvas');
+    const row = Math.round(0.45 * bitmap.height);
+    context.drawImage(bitmap, 0, -row);
+    const { data } = context.getImageData(0, 0, bitmap.width, 1);
+    let x = 0;
+    while (
+      x < bitmap.width &&
+      Math.max(...data.slice(4 * x, 4 * x + 3)) - Math.min(...data.slice(4 * x, 4 * x + 3)) < 24
+    )
+      x++;
+    return x / bitmap.width;
+  }, encoded);
 }
 
 /** The picture, as soon as it differs from another. @param {string} before */
@@ -41,6 +62,11 @@ async function changed(before) {
   }
   throw new Error('the picture stays as it is');
 }
+
+const camera = () => page.evaluate(() => new URLSearchParams(location.search).get('camera'));
+/** @param {string | null} expected */
+const rests = (expected) =>
+  page.waitForFunction((value) => new URLSearchParams(location.search).get('camera') === value, expected);
 
 describe('the menu of what is shown', () => {
   test('has isolines, the edges of patches and both cages, each drawn while it is on', async () => {
@@ -118,7 +144,9 @@ describe('the values of the surface', () => {
     // Left of the hole in the middle.
     await page.mouse.move(box.x + 0.24 * box.width, box.y + 0.5 * box.height);
     await reading().waitFor();
-    expect(await reading().innerText()).toMatch(/^κ₁ \S+, κ₂ \S+, H \S+ per length, K \S+ per length²\s+at \(.*\)$/);
+    expect(await reading().innerText()).toMatch(
+      /^κ₁\s\S+, κ₂\s\S+, H\s\S+ per length, K\s\S+ per length²\s+at \(.*\)$/,
+    );
     expect(await mark().isVisible()).toBe(true);
     expect(await reading().getAttribute('aria-live')).toBe('off');
     await page.mouse.move(box.x + 0.95 * box.width, box.y + 0.5 * box.height);
@@ -133,16 +161,81 @@ describe('the values of the surface', () => {
     await reading().waitFor();
     expect(await reading().getAttribute('aria-live')).toBe('polite');
     await page.keyboard.press('ArrowDown');
-    for (let i = 0; i < 12 && !/^κ₁/.test(await reading().innerText()); i++) {
-      await page.keyboard.press('ArrowDown');
-      await drawn(page);
-    }
+    await rests('38.7,14.6,1');
     const first = await reading().innerText();
     expect(first).toMatch(/^κ₁/);
     await page.screenshot({ path: path.join(screenshots, 'shown-reading.png') });
     await page.keyboard.press('ArrowUp');
     await page.waitForFunction((before) => document.querySelector('#reading')?.textContent !== before, first);
+    await rests(null);
     await page.keyboard.press('v');
     await reading().waitFor({ state: 'hidden' });
   }, 30_000);
+});
+
+describe('the camera', () => {
+  test('looks along the axes and back again, by button and by key', async () => {
+    const [before, plain] = [await camera(), await picture()];
+    await page.locator('#camera summary').click();
+    const top = page.getByRole('button', { name: 'Top' });
+    await top.click();
+    await rests('0,90,1');
+    expect(await top.getAttribute('aria-pressed')).toBe('true');
+    const above = await changed(plain);
+    await page.getByRole('button', { name: 'Front' }).click();
+    await rests('0,0,1');
+    await page.getByRole('button', { name: 'Front' }).click();
+    await rests(before);
+    await page.keyboard.press('Escape');
+    await page.locator('#surface canvas').focus();
+    await page.keyboard.press('3');
+    await rests('0,90,1');
+    expect((await picture()) === above).toBe(true);
+    await page.keyboard.press('3');
+    await rests(before);
+    expect((await picture()) === plain).toBe(true);
+  }, 30_000);
+
+  test('projects in parallel when asked, and what is pointed at stays where it is drawn', async () => {
+    const plain = await picture();
+    const canvas = page.locator('#surface canvas');
+    await canvas.focus();
+    await page.keyboard.press('o');
+    const parallel = await changed(plain);
+    expect(await page.locator('[value=orthographic]').isChecked()).toBe(true);
+    const box = await canvas.boundingBox();
+    if (!box) throw new Error('there is no canvas');
+    // On the surface near its left rim, and just beside it.
+    const surface = await coveredFrom(parallel);
+    for (const [beside, text] of /** @type {const} */ ([
+      [0.02, true],
+      [-0.02, false],
+    ])) {
+      await page.mouse.move(box.x + (surface + beside) * box.width, box.y + 0.45 * box.height);
+      await page.locator('#reading').waitFor({ state: text ? 'visible' : 'hidden' });
+    }
+    await page.mouse.move(0, 0);
+    await canvas.focus();
+    await page.keyboard.press('o');
+    expect((await changed(parallel)) === plain).toBe(true);
+  }, 30_000);
+
+  test('finds the surface again when it is lost', async () => {
+    const plain = await picture();
+    const lost = new URL(page.url());
+    lost.searchParams.set('camera', '10,20,6,12,0,-9');
+    const { page: far, errors: failed } = await openAddress(served.browser, lost.href, {
+      reducedMotion: 'reduce',
+      viewport: { width: 390, height: 700 },
+    });
+    await drawn(far);
+    const { coloured } = await look(far);
+    expect(coloured).toBe(0);
+    await far.locator('#fit').click();
+    await far.waitForFunction(() => location.search.includes('camera=10,20,1'));
+    expect((await look(far)).coloured).toBeGreaterThan(0.1);
+    expect(failed).toEqual([]);
+    await far.context().close();
+    expect((await picture()) === plain).toBe(true);
+  }, 60_000);
 });

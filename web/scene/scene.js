@@ -14,7 +14,7 @@ import { createPointing } from './pointing.js';
 import { createStand } from './stand.js';
 
 /** @import * as core from '../../wasm/types.js' */
-/** @import {Camera} from '../address/camera.js' */
+/** @import {Camera, Projection} from '../address/camera.js' */
 /** @import {Shade} from './material.js' */
 
 /** The surface is raised above the middle by this fraction of the height, clear of the legend. */
@@ -41,7 +41,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
   surface.visible = false;
   surface.frustumCulled = false;
   const overlays = createOverlays(surfaceGeometry);
-  const pointing = createPointing(surface, () => camera);
+  const pointing = createPointing(surface, orbit.lens);
   const stand = createStand();
   const marks = createMarks();
   stand.model.add(surface, overlays.group, marks.group);
@@ -58,7 +58,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     draw(renderer) {
       if (!surface.visible) return;
       orbit.focus();
-      renderer.render(scene, camera);
+      renderer.render(scene, orbit.lens());
     },
     resized(width, height) {
       orbit.resize(width / height);
@@ -103,6 +103,9 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
 
     /** Sets the camera. @param {Camera} next */
     setCamera: (next) => orbit.set(next),
+
+    /** How points are projected to the picture. @param {Projection} next */
+    project: (next) => orbit.project(next),
 
     /**
      * Which axis of the model points upwards on the screen.

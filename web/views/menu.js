@@ -14,18 +14,16 @@ export function createMenus(root) {
     for (const menu of menus) if (menu.open && !(target instanceof Node && menu.contains(target))) menu.open = false;
   }
 
-  document.addEventListener('pointerdown', ({ target }) => closeOthers(target), { signal, capture: true });
-  for (const menu of menus) {
-    menu.addEventListener('toggle', () => menu.open && closeOthers(menu), { signal });
-    menu.addEventListener(
-      'keydown',
-      (event) => {
-        if (event.key !== 'Escape' || !menu.open) return;
-        menu.open = false;
-        menu.querySelector('summary')?.focus();
-      },
-      { signal },
-    );
+  /** @param {KeyboardEvent} event */
+  function escape({ key }) {
+    const open = menus.find((menu) => menu.open);
+    if (key !== 'Escape' || !open) return;
+    if (open.contains(document.activeElement)) open.querySelector('summary')?.focus();
+    open.open = false;
   }
+
+  document.addEventListener('pointerdown', ({ target }) => closeOthers(target), { signal, capture: true });
+  document.addEventListener('keydown', escape, { signal });
+  for (const menu of menus) menu.addEventListener('toggle', () => menu.open && closeOthers(menu), { signal });
   return { dispose: () => listening.abort() };
 }

@@ -7,7 +7,16 @@ import { hasMoved } from './restore.js';
 /** @import {Document, History, Phase, State, View} from './types.js' */
 
 /** What is kept of how the surface was looked at. */
-const KEPT_VIEW = /** @type {const} */ (['shading', 'pinned', 'isolines', 'cage', 'original', 'patches', 'camera']);
+const KEPT_VIEW = /** @type {const} */ ([
+  'shading',
+  'pinned',
+  'isolines',
+  'cage',
+  'original',
+  'patches',
+  'camera',
+  'projection',
+]);
 
 /** @typedef {Pick<View, typeof KEPT_VIEW[number]>} KeptView */
 

@@ -9,6 +9,7 @@ import { openEntry, openWithout } from './entry.js';
 import { noHistory, redone, remembered, undone } from './history.js';
 import { afterHold, holdIsUsable, holdsTheSame, keptOf } from './hold.js';
 import { afterLoss } from './lost.js';
+import { alongAxis, looked } from './looking.js';
 import { beginOpening, firstGenerator, openGenerated, openPreview } from './opening.js';
 import {
   askedOf,
@@ -66,6 +67,8 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       isolines: false,
       pinned: null,
       camera: address.camera,
+      returnTo: null,
+      projection: 'perspective',
       theme,
       pointer: 'turn',
       boundary: null,
@@ -234,7 +237,9 @@ function changed(state, action) {
     case 'againPressed':
       return again(state);
     case 'viewChanged':
-      return withView(state, action.change);
+      return withView(state, looked(action.change));
+    case 'axisPressed':
+      return withView(state, alongAxis(view, action.axis));
     case 'fitPressed':
       return withView(state, { fits: view.fits + 1 });
     case 'surfaceDrawn':

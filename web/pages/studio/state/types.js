@@ -6,7 +6,7 @@
 /** @import {BoundaryCondition, CageReport, CapName, CertificateReport, Constraints, ConstraintsReport, Energies} from '../../../../wasm/types.js' */
 /** @import {FaceGroup, Fill, FunctionalName} from '../../../../wasm/types.js' */
 /** @import {GeneratedCage, Group, LevelReport, Limit, Mesh, Progress, Report, StopReason, SurfaceState} from '../../../../wasm/types.js' */
-/** @import {Camera} from '../../../address/camera.js' */
+/** @import {AxisView, Camera, Projection} from '../../../address/camera.js' */
 /** @import {EntryName} from '../../../address/compare.js' */
 /** @import {Shading} from '../../../colour/quantities.js' */
 /** @import {CatalogEntry} from '../../../files/catalog.js' */
@@ -169,6 +169,8 @@
  * @property {{shading: Shading, low: number, high: number} | null} pinned the range of the colours of one shading, if it is to stay
  * @property {boolean} isolines whether the quantity that colours the surface has isolines
  * @property {Camera} camera
+ * @property {Camera | null} returnTo the camera before it looked along an axis; null once it was turned otherwise
+ * @property {Projection} projection
  * @property {'light' | 'dark' | 'system'} theme
  * @property {Pointer} pointer
  * @property {number | null} boundary the number of the one that is marked on the surface
@@ -225,6 +227,7 @@
  *   | {type: 'againPressed'}
  *   | {type: 'viewChanged', change: Partial<View>}
  *   | {type: 'fitPressed'}
+ *   | {type: 'axisPressed', axis: AxisView}
  *   | {type: 'surfaceDrawn'}
  *   | {type: 'downloadPressed', what: Exportable}
  *   | {type: 'undoPressed'} | {type: 'redoPressed'}

@@ -9,12 +9,13 @@ import { heldFaces } from '../state/hold.js';
 import { cageOnScreen } from '../state/taken.js';
 import { createBoundaryEdges } from './boundary_edges.js';
 import { listenToBrush } from './brush.js';
+import { cameraKeys } from './camera.js';
 import { createProbe } from './probe.js';
 import { createUndrawnView } from './undrawn.js';
 import { find, whenChanged } from '../../../views/dom.js';
 import { listenToKeys } from '../../../views/keys.js';
 
-/** @import {Camera} from '../../../address/camera.js' */
+/** @import {Camera, Projection} from '../../../address/camera.js' */
 /** @import {Pattern, Quantity} from '../../../colour/quantities.js' */
 /** @import {Range} from '../../../colour/range.js' */
 /** @import {Reading} from '../../../scene/reading.js' */
@@ -53,7 +54,9 @@ export function createSurfaceView(root, dispatch, pointed) {
   canvas.addEventListener('webglcontextrestored', () => undrawn.tell(null), { signal });
 
   const probe = createProbe(root, canvas, { read: (x, y) => scene?.reading(x, y) ?? null, pointed });
-  const keys = { v: probe.toggle };
+  /** @type {Projection} */
+  let projection = 'perspective';
+  const keys = { v: probe.toggle, ...cameraKeys(dispatch, () => projection) };
   listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal, keys);
   /** @type {Pointer} */
   let pointer = 'turn';
@@ -66,6 +69,7 @@ export function createSurfaceView(root, dispatch, pointed) {
   listenToBrush(canvas, brush, dispatch, signal);
 
   const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
+  const project = whenChanged((/** @type {Projection} */ next) => scene?.project((projection = next)));
   const setHeld = whenChanged((/** @type {Constraints} */ constraints, /** @type {CageFaces | null} */ cage) => {
     const held = heldFaces(constraints, cage);
     scene?.setHeld(held.some(Boolean) ? held : null);
@@ -130,6 +134,7 @@ export function createSurfaceView(root, dispatch, pointed) {
       if (!view.surface) return;
       const start = view.start?.run === state.session.run ? view.start : null;
       setCamera(view.camera);
+      project(view.projection);
       setUp(document.cage?.source.kind === 'generated');
       ({ pointer } = view);
       vertices = document.cage?.counts.vertices ?? 0;
