@@ -12,6 +12,7 @@ import { loadEntry } from './pages/studio/load_entry.js';
 import { createOwnership } from './pages/studio/ownership.js';
 import { isProject } from './pages/studio/project.js';
 import { initialState } from './pages/studio/state/reduce.js';
+import { createBeforeView } from './pages/studio/views/before.js';
 import { createBoundariesView } from './pages/studio/views/boundaries.js';
 import { createCageView } from './pages/studio/views/cage.js';
 import { createCameraView } from './pages/studio/views/camera.js';
@@ -130,6 +131,7 @@ const plain = [
   createObjectiveView(byId('objective'), dispatch),
   createRunView(byId('run'), dispatch),
   createShowView(byId('show'), dispatch),
+  createBeforeView(byId('surface'), dispatch),
   createCameraView(byId('camera'), dispatch),
   createPlotView(byId('plot')),
   createEnergiesView(byId('energies')),

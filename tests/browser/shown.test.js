@@ -5,7 +5,7 @@
  */
 import path from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { drawn, look, openAddress, openPage, screenshots } from './page.js';
+import { drawn, look, openAddress, openPage, screenshots, status } from './page.js';
 import { difference } from './pictures.js';
 import { servedPage } from './served.js';
 
@@ -61,6 +61,13 @@ async function changed(before) {
     if (now !== before) return now;
   }
   throw new Error('the picture stays as it is');
+}
+
+/** The picture once it stays. */
+async function rested() {
+  let last = await picture();
+  for (let now = await picture(); now !== last; now = await picture()) last = now;
+  return last;
 }
 
 const camera = () => page.evaluate(() => new URLSearchParams(location.search).get('camera'));
@@ -238,4 +245,53 @@ describe('the camera', () => {
     await far.context().close();
     expect((await picture()) === plain).toBe(true);
   }, 60_000);
+});
+
+describe('the cage’s own surface', () => {
+  const told = () => page.locator('#before-told');
+
+  test('is shown while the key or the button is held down, in the same colours, and this is told', async () => {
+    await page.locator('[name=functional]').selectOption('bending');
+    await page.locator('[name=last]').selectOption('0');
+    await page.locator('[name=shading]').selectOption('plain');
+    await page.locator('#primary').click();
+    await status(page, /^(Converged|Round-off)/, 60_000);
+    await page.locator('#downloads [name=control]:not([aria-disabled=true])').waitFor();
+    const result = await rested();
+
+    await page.locator('#surface canvas').focus();
+    await page.keyboard.down('b');
+    await told().filter({ hasText: /^This is the cage’s own surface/ }).waitFor();
+    const before = await changed(result);
+    await page.keyboard.up('b');
+    expect((await changed(before)) === result).toBe(true);
+    expect(await told().innerText()).toMatch('as it is now');
+
+    const button = page.getByRole('button', { name: 'Before' });
+    await button.hover();
+    await page.mouse.down();
+    expect(await button.getAttribute('aria-pressed')).toBe('true');
+    expect(await told().innerText()).toMatch('the cage’s own');
+    await page.mouse.up();
+    expect(await button.getAttribute('aria-pressed')).toBe('false');
+    await page.locator('[name=shading]').selectOption('mean');
+    const ticks = () => page.locator('#legend .ticks').innerText();
+    const scale = await ticks();
+    await button.focus();
+    await page.keyboard.down('Space');
+    expect(await ticks()).toBe(scale);
+    expect(await button.getAttribute('aria-pressed')).toBe('true');
+    await page.keyboard.up('Space');
+    expect(await button.getAttribute('aria-pressed')).toBe('false');
+
+    // It is what the cage shows.
+    await page.locator('[name=shading]').selectOption('plain');
+    await page.locator('#reset').click();
+    await status(page, /^Ready/);
+    await changed(result);
+    const own = await rested();
+    expect(await difference(page, result, own)).toBeGreaterThan(0.01);
+    expect(await difference(page, before, own)).toBeLessThan(0.001);
+    expect(errors).toEqual([]);
+  }, 90_000);
 });

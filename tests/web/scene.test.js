@@ -19,7 +19,8 @@ describe('a geometry', () => {
     const geometry = new BufferGeometry();
     let disposals = 0;
     geometry.addEventListener('dispose', () => disposals++);
-    setSurface(geometry, mesh());
+    const first = mesh();
+    setSurface(geometry, first);
     const [position, index] = [geometry.getAttribute('position'), geometry.getIndex()];
     const moved = mesh();
     moved.positions.fill(2);
@@ -28,6 +29,9 @@ describe('a geometry', () => {
     expect(geometry.getIndex()).toBe(index);
     expect(position.getX(1)).toBe(2);
     expect(disposals).toBe(0);
+    // The first one can be shown again.
+    setSurface(geometry, first);
+    expect(position.getX(1)).toBe(0);
 
     const larger = {
       ...mesh(),

@@ -116,14 +116,20 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       requestRender();
     },
 
-    /** @param {core.Mesh} mesh @param {Float32Array | null} [deviations] of each vertex from the cage's own surface */
-    setSurface(mesh, deviations = null) {
+    /**
+     * @param {core.Mesh} mesh
+     * @param {Float32Array | null} [deviations] of each vertex from the cage's own surface
+     * @param {core.Mesh} [like] the mesh that is placed in the picture, to which this one keeps its position and size
+     */
+    setSurface(mesh, deviations = null, like = mesh) {
       marks.setRim(surfaceGeometry, setSurface(surfaceGeometry, mesh, held));
       setDeviations(surfaceGeometry, deviations);
       placePins(mesh);
       shown = mesh;
       pointing.set(mesh, deviations);
-      stand.centre(extent(mesh.positions));
+      const { centre, radius } = extent(like.positions);
+      const [x, y, z] = centre.map((value, axis) => value + like.centre[axis] - mesh.centre[axis]);
+      stand.centre({ centre: [x, y, z], radius });
       overlays.move(mesh.centre);
       surface.visible = true;
       requestRender();

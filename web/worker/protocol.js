@@ -78,7 +78,7 @@
  *   deviations?: Float32Array, coarse?: boolean}} Surfaced
  *
  * The limit mesh of the cage's own surface at the run's level, and the cage as it was given.
- * @typedef {{type: 'recalled', run: number, limit: Mesh, cage: Mesh}} Recalled
+ * @typedef {{type: 'recalled', run: number, limit: Mesh, density: number, cage: Mesh}} Recalled
  *
  * Energies of the surface by the reporting rule. Its level is not always the last one.
  * @typedef {{type: 'measured', run: number, evaluations: number, level: number, energies: Energies}} Measured

@@ -51,12 +51,12 @@ export function createSurfacing(core) {
      * Where it began: the limit mesh of the cage's own surface, and the cage.
      * @param {Minimizer} run
      * @param {number} density
-     * @returns {Pick<Recalled, 'limit' | 'cage'>}
+     * @returns {Pick<Recalled, 'limit' | 'density' | 'cage'>}
      */
     recalled(run, density) {
       const limit = own.of(run).limitMesh(density);
       if (!deviating) own.drop();
-      return { limit, cage: own.cageOf(run) };
+      return { limit, density, cage: own.cageOf(run) };
     },
   };
 }

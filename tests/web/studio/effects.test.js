@@ -73,12 +73,18 @@ describe('the worker is told', () => {
   test('once in each run to say where it began, when that is shown', () => {
     const shown = run(resting(), ...[true, false, true].map(showsOriginal));
     expect(sent).toEqual([{ type: 'recall', run: 1 }]);
-    const recalled = run(shown, answered({ type: 'recalled', run: 1, limit: mesh(), cage: mesh() }));
+    const recalled = run(shown, answered({ type: 'recalled', run: 1, limit: mesh(), density: 1, cage: mesh() }));
     expect(recalled.view.start).toMatchObject({ run: 1, cage: mesh() });
     const next = run(recalled, { type: 'generatorChanged', change: { name: 'cube' } });
     expect(types()).toEqual(['recall', 'open']); // not while it opens
     run(next, ...openedMessages(2));
     expect(sent.at(-1)).toEqual({ type: 'recall', run: 2 });
+    sent = [];
+    run(
+      resting(),
+      ...[true, false, true].map((before) => /** @type {Action} */ ({ type: 'viewChanged', change: { before } })),
+    );
+    expect(sent).toEqual([{ type: 'recall', run: 1 }]);
   });
 
   test('to open the first cage', () => {

@@ -58,8 +58,8 @@ export function createEffects({ client, save, load, setAddress }) {
   /** The run whose start was asked for. */
   let recalled = -1;
   /** Asks once where a run began, when that is to be shown. @param {State} after */
-  function recall({ session: { run, opening }, view: { original, surface } }) {
-    if (!original || !surface || opening || recalled === run) return;
+  function recall({ session: { run, opening }, view: { original, before, surface } }) {
+    if (!(original || before) || !surface || opening || recalled === run) return;
     recalled = run;
     client.send({ type: 'recall', run });
   }

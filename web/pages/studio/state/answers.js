@@ -46,8 +46,10 @@ function afterRunMessage(state, message) {
   switch (message.type) {
     case 'surfaced':
       return afterSurfaced(state, message, evaluations);
-    case 'recalled':
-      return withView(state, { start: { run: message.run, limit: message.limit, cage: message.cage } });
+    case 'recalled': {
+      const { run, limit, density, cage } = message;
+      return withView(state, { start: { run, limit, density, cage } });
+    }
     case 'measured': {
       const { energies, level } = message;
       const kept = known && result.latest?.evaluations === evaluations ? result.latest : null;

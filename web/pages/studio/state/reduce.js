@@ -73,6 +73,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       pointer: 'turn',
       boundary: null,
       surface: null,
+      before: false,
       start: null,
       coarse: false,
       fits: 0,

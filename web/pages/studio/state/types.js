@@ -87,7 +87,7 @@
  * @typedef {{limit: Mesh, density: number, control: Mesh, deviations: Float32Array | null, evaluations: number}} Surface
  */
 
-/** Where a run began: the limit mesh of the cage's own surface, and the cage. @typedef {{run: number, limit: Mesh, cage: Mesh}} Start */
+/** Where a run began: the limit mesh of the cage's own surface, and the cage. @typedef {{run: number, limit: Mesh, density: number, cage: Mesh}} Start */
 
 /** A copy of the surface, in case the worker is lost. @typedef {{state: SurfaceState, evaluations: number}} SavedSurface */
 
@@ -175,6 +175,7 @@
  * @property {Pointer} pointer
  * @property {number | null} boundary the number of the one that is marked on the surface
  * @property {Surface | null} surface
+ * @property {boolean} before whether the cage's own surface is shown in the place of the surface
  * @property {Start | null} start of the run that was asked last
  * @property {boolean} coarse whether to ask for a finer surface once this one has been drawn
  * @property {number} fits how often the user asked to fit the surface into the view

@@ -19,8 +19,15 @@ import { listenToKeys } from '../../../views/keys.js';
 /** @import {Pattern, Quantity} from '../../../colour/quantities.js' */
 /** @import {Range} from '../../../colour/range.js' */
 /** @import {Reading} from '../../../scene/reading.js' */
-/** @import {Constraints} from '../../../../wasm/types.js' */
-/** @import {Action, CageFaces, OpenCage, Pointer, Start, State, Surface, TakenCage} from '../state/types.js' */
+/** @import {Constraints, Mesh} from '../../../../wasm/types.js' */
+/** @import {Action, CageFaces, Document, OpenCage, Pointer, State, Surface, TakenCage} from '../state/types.js' */
+
+/**
+ * Whether a surface stays where its cage is because parts of it are held; others are shown in one place and size.
+ * @param {Document} document
+ */
+const staysInPlace = ({ cage, result }) =>
+  Object.keys(result.settings.constraints).length > 0 || (cage?.counts.boundaries.length ?? 0) > 0;
 
 /**
  * @param {HTMLElement} root
@@ -75,8 +82,9 @@ export function createSurfaceView(root, dispatch, pointed) {
     scene?.setHeld(held.some(Boolean) ? held : null);
     scene?.setPins((constraints.pins ?? []).flatMap(({ vertex }) => (vertex ? [vertex - 1] : [])));
   });
-  const setSurface = whenChanged((/** @type {Surface} */ surface) =>
-    scene?.setSurface(surface.limit, surface.deviations),
+  const setSurface = whenChanged(
+    (/** @type {Mesh} */ mesh, /** @type {Float32Array | null} */ deviations, /** @type {Mesh} */ like) =>
+      scene?.setSurface(mesh, deviations, like),
   );
   const boundaryEdges = createBoundaryEdges();
   const setMarked = whenChanged(
@@ -84,8 +92,8 @@ export function createSurfaceView(root, dispatch, pointed) {
       /** @type {number | null} */ boundary,
       /** @type {OpenCage | null} */ cage,
       /** @type {TakenCage | null} */ taken,
-      /** @type {Surface} */ surface,
-    ) => scene?.setMarked(boundaryEdges(boundary, cage, taken, surface.limit)),
+      /** @type {Mesh} */ mesh,
+    ) => scene?.setMarked(boundaryEdges(boundary, cage, taken, mesh)),
   );
   const awaitPicture = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ coarse) => {
     awaited = coarse;
@@ -93,15 +101,12 @@ export function createSurfaceView(root, dispatch, pointed) {
   });
   const setLines = whenChanged(
     (
-      /** @type {Surface} */ surface,
-      /** @type {boolean} */ cage,
+      /** @type {Mesh} */ mesh,
+      /** @type {number} */ density,
+      /** @type {Mesh | null} */ control,
+      /** @type {Mesh | null} */ original,
       /** @type {boolean} */ patches,
-      /** @type {Start | null} */ start,
-    ) =>
-      scene?.setLines(
-        { control: cage ? surface.control : null, original: start?.cage ?? null, patches },
-        surface.density,
-      ),
+    ) => scene?.setLines({ control, original, patches }, density),
   );
   // The symmetry axis of generated shapes is z; modelling programs usually write y upwards.
   const setUp = whenChanged((/** @type {boolean} */ generated) => scene?.setUp(generated ? 'z' : 'y'));
@@ -140,10 +145,12 @@ export function createSurfaceView(root, dispatch, pointed) {
       vertices = document.cage?.counts.vertices ?? 0;
       canvas.dataset.pointer = pointer;
       setHeld(document.settings.constraints, cageOnScreen(document));
-      setSurface(view.surface);
-      setMarked(view.boundary, document.cage, document.result.taken, view.surface);
+      const { limit, density, deviations } = view.before && start ? { ...start, deviations: null } : view.surface;
+      setSurface(limit, deviations, staysInPlace(document) ? view.surface.limit : limit);
+      setMarked(view.boundary, document.cage, document.result.taken, limit);
       awaitPicture(view.surface, view.coarse);
-      setLines(view.surface, view.cage, view.patches, view.original ? start : null);
+      const control = view.cage && limit === view.surface.limit ? view.surface.control : null;
+      setLines(limit, density, control, view.original ? (start?.cage ?? null) : null, view.patches);
       shade(quantityOf(view.shading), range, patternOf(view.shading), view.isolines);
       fit(view.fits);
       shown = true;
