@@ -261,7 +261,9 @@ describe('the cage’s own surface', () => {
 
     await page.locator('#surface canvas').focus();
     await page.keyboard.down('b');
-    await told().filter({ hasText: /^This is the cage’s own surface/ }).waitFor();
+    await told()
+      .filter({ hasText: /^This is the cage’s own surface/ })
+      .waitFor();
     const before = await changed(result);
     await page.keyboard.up('b');
     expect((await changed(before)) === result).toBe(true);

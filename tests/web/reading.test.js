@@ -45,7 +45,9 @@ describe('the reading at a point of a torus', () => {
 
   test('is said with the mean and the Gaussian curvature', () => {
     const { curvatures, place } = readingWords({ kappa1: 2, kappa2: -0.5, deviation: null, point: [1, -2, 0] });
-    expect(curvatures.replaceAll('\u00a0', ' ')).toBe('κ₁ 2.000, κ₂ −0.5000, H 0.7500 per length, K −1.000 per length²');
+    expect(curvatures.replaceAll('\u00a0', ' ')).toBe(
+      'κ₁ 2.000, κ₂ −0.5000, H 0.7500 per length, K −1.000 per length²',
+    );
     expect(place).toBe('at (1.000, −2.000, 0)');
     expect(readingWords({ kappa1: 2, kappa2: 0, deviation: 0.25, point: [1, -2, 0] }).place).toMatch('moved by 0.2500');
   });

@@ -78,7 +78,9 @@ export function givenRange(low, high) {
 /** What keeps two numbers from being the ends of a range; null if nothing does. @param {number} low @param {number} high */
 export function problemOfRange(low, high) {
   if (!Number.isFinite(low) || !Number.isFinite(high)) return 'Both ends must be numbers.';
-  return high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high)) ? null : 'The first must be less than the second.';
+  return high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high))
+    ? null
+    : 'The first must be less than the second.';
 }
 
 /**

@@ -29,8 +29,16 @@ export function createRangeView(root, pin) {
     autocomplete: 'off',
     'aria-label': 'Largest value',
   });
-  const pinned = element('button', { type: 'button', class: 'quiet', title: 'Keep this range while the surface changes' });
-  const reset = element('button', { type: 'button', class: 'quiet', title: 'The range of most of the surface' }, 'Reset');
+  const pinned = element('button', {
+    type: 'button',
+    class: 'quiet',
+    title: 'Keep this range while the surface changes',
+  });
+  const reset = element(
+    'button',
+    { type: 'button', class: 'quiet', title: 'The range of most of the surface' },
+    'Reset',
+  );
   const problem = element('p', { class: 'problem', role: 'alert' });
   const summary = element('summary', {}, 'Range');
   const row = element('div', { class: 'row' }, low, 'to', high, pinned, reset);

@@ -71,10 +71,7 @@ export function createScale(figure) {
       if (!quantity || !range) return;
       shown = range;
       colours.style.background = mapGradient(quantity.map, 'to right', place(middleOf(quantity.signed, range)));
-      setText(
-        caption,
-        `${quantity.symbol}, ${unit}${isolines ? `; a line each ${compact(isolineStep(range))}` : ''}`,
-      );
+      setText(caption, `${quantity.symbol}, ${unit}${isolines ? `; a line each ${compact(isolineStep(range))}` : ''}`);
       showTicks(range);
     },
 
