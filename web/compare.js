@@ -48,11 +48,10 @@ const byId = (id) => find(document, `#${id}`);
 createKeyListView(find(document, '.top'), keyGroups.compare);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
 /** Curvatures are in units of that of a sphere with the same area. */
-const legend = createLegendView(
-  byId('legend'),
-  (shading) => dispatch({ type: 'shadingChosen', shading }),
-  () => '1 on a sphere of equal area',
-);
+const legend = createLegendView(byId('legend'), {
+  choose: (shading) => dispatch({ type: 'shadingChosen', shading }),
+  unit: () => '1 on a sphere of equal area',
+});
 const panes = createPanesView(byId('panes'), dispatch);
 const views = [
   createNoticesView(byId('notices'), () => dispatch({ type: 'noticesDismissed' })),

@@ -14,8 +14,10 @@ import { createOwnership } from './pages/studio/ownership.js';
 import { fileName, typeOf } from './pages/studio/names.js';
 import { isProject } from './pages/studio/project.js';
 import { initialState } from './pages/studio/state/reduce.js';
+import { createBeforeView } from './pages/studio/views/before.js';
 import { createBoundariesView } from './pages/studio/views/boundaries.js';
 import { createCageView } from './pages/studio/views/cage.js';
+import { createCameraView } from './pages/studio/views/camera.js';
 import { createCertificateView } from './pages/studio/views/certificate.js';
 import { createClosenessView } from './pages/studio/views/closeness.js';
 import { createDocumentsView } from './pages/studio/views/documents.js';
@@ -32,12 +34,14 @@ import { createPinsView } from './pages/studio/views/pins.js';
 import { takePicture } from './pages/studio/views/picture.js';
 import { createPlotView } from './pages/studio/views/plot.js';
 import { createRunView } from './pages/studio/views/run.js';
+import { createShowView } from './pages/studio/views/show.js';
 import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
 import { createUndrawnView } from './pages/studio/views/undrawn.js';
 import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
 import { createKeyListView } from './views/key_list.js';
 import { createLegendView } from './views/legend.js';
+import { createMenus } from './views/menu.js';
 import { createThemeView } from './views/theme.js';
 import { deviationUnit } from './words/holding.js';
 import { keyGroups } from './words/keys.js';
@@ -45,7 +49,7 @@ import { createClient } from './worker/client.js';
 import { createSpare } from './worker/spare.js';
 import { createRequests } from './worker/requests.js';
 
-/** @import {Action} from './pages/studio/state/types.js' */
+/** @import {Action, State} from './pages/studio/state/types.js' */
 
 /** Why the browser does not keep the documents; null if it does. @type {string | null} */
 let unkept = null;
@@ -114,6 +118,9 @@ function saveProject() {
   if (project) saveFile(project.name, project.text, 'application/json');
 }
 
+/** Whether the cage is a file's. @param {State} state */
+const isFile = ({ document: { cage } }) => cage?.source.kind === 'text';
+
 const takeFiles = createFileTaker({
   open(name, text) {
     if (isProject(text)) desk.openProject(name, text);
@@ -132,15 +139,15 @@ const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), 
   dispatch({ type: 'viewChanged', change: { theme: chosen } }),
 );
 theme.update(storedTheme()); // the page shows before its documents are read
-const legend = createLegendView(
-  byId('legend'),
-  (shading) => dispatch({ type: 'viewChanged', change: { shading } }),
-  (quantity) => {
-    const fromFile = desk.state.document.cage?.source.kind === 'text';
-    return quantity === deviation ? deviationUnit(fromFile) : `in ${quantity.unit}`;
+const legend = createLegendView(byId('legend'), {
+  choose: (shading) => dispatch({ type: 'viewChanged', change: { shading } }),
+  unit: (quantity) => (quantity === deviation ? deviationUnit(isFile(desk.state)) : `in ${quantity.unit}`),
+  offered: allQuantities,
+  pin: (ends) => {
+    const { shading } = desk.state.view;
+    dispatch({ type: 'viewChanged', change: { pinned: ends && { shading, ...ends } } });
   },
-  allQuantities,
-);
+});
 /** @type {ReturnType<typeof import('./pages/studio/views/surface.js').createSurfaceView> | null} */
 let surface = null;
 const documents = createDocumentsView(byId('documents'), {
@@ -160,6 +167,9 @@ const plain = [
   createHeldKeyView(byId('held-key')),
   createObjectiveView(byId('objective'), dispatch),
   createRunView(byId('run'), dispatch),
+  createShowView(byId('show'), dispatch),
+  createBeforeView(byId('surface'), dispatch),
+  createCameraView(byId('camera'), dispatch),
   createPlotView(byId('plot')),
   createEnergiesView(byId('energies')),
   createLevelsView(byId('levels')),
@@ -168,6 +178,7 @@ const plain = [
   createAlertView(byId('alert'), dispatch, saveProject),
 ];
 const downloads = createDownloadsView(byId('downloads'), dispatch, byId('surface'));
+createMenus(byId('surface'));
 createDropView(byId('drop'), takeFiles);
 createPasteView(takeFiles);
 createCopyView(/** @type {HTMLButtonElement} */ (byId('copy')), async () => {
@@ -186,10 +197,14 @@ function show() {
   const { state } = desk;
   const dark = theme.update(state.view.theme);
   // While the surface moves, the range changes rarely; another cage or a surface at rest gets its own range.
+  const { shading, surface: shown, pinned, isolines } = state.view;
   const range = legend.update({
-    shading: state.view.shading,
-    deviations: state.view.surface?.deviations,
-    curvatures: state.view.surface ? [state.view.surface.limit.curvatures] : [],
+    shading,
+    deviations: shown?.deviations,
+    curvatures: shown ? [shown.limit.curvatures] : [],
+    mesh: shown?.limit,
+    pinned: pinned?.shading === shading ? pinned : null,
+    isolines,
     occasion: `${state.session.run} ${state.session.phase.name === 'running'}`,
   });
   surface?.update(state, range, dark);
@@ -218,7 +233,7 @@ await desk.restore({
 });
 try {
   const { createSurfaceView } = await drawing;
-  surface = createSurfaceView(byId('surface'), dispatch);
+  surface = createSurfaceView(byId('surface'), dispatch, legend.mark);
 } catch {
   createUndrawnView(byId('surface')).tell('unloaded');
 }

@@ -63,7 +63,9 @@ async function minimize(offset) {
   const frames = await recordedFrames(page);
   pictures.push(await pictureOf(page, surface));
   await page.screenshot({ path: path.join(screenshots, `off-centre-${offset.join('_')}.png`) });
+  await page.locator('#show summary').click();
   await page.getByLabel('Control cage').check();
+  await page.keyboard.press('Escape');
   pictures.push(await pictureOf(page, surface));
   const { search } = new URL(page.url());
   await page.context().close();

@@ -35,15 +35,25 @@ describe('the page', () => {
     await page.context().close();
   });
 
-  test('shades by every quantity, by stripes, and plainly; the legend has numbers', async () => {
+  test('shades by every quantity, by patterns, and plainly; the legend has numbers', async () => {
     const { page } = await openPage(served.browser, served.url);
     const pictures = new Set();
-    for (const shading of ['mean', 'gaussian', 'kappa1', 'kappa2', 'magnitude', 'stripes', 'plain']) {
+    for (const shading of [
+      'mean',
+      'gaussian',
+      'kappa1',
+      'kappa2',
+      'magnitude',
+      'difference',
+      'stripes',
+      'isophotes',
+      'plain',
+    ]) {
       await page.locator('[name=shading]').selectOption(shading);
       const { coloured, colours, chroma } = await look(page);
       pictures.add(`${coloured} ${colours} ${chroma}`);
       const ticks = await page.locator('#legend .ticks span').allInnerTexts();
-      if (shading === 'stripes' || shading === 'plain') {
+      if (['stripes', 'isophotes', 'plain'].includes(shading)) {
         expect(await page.locator('#legend figure').isVisible()).toBe(false);
         expect(chroma).toBeLessThan(60);
         continue;
@@ -51,10 +61,10 @@ describe('the page', () => {
       const numbers = ticks.map((tick) => Number(tick.replace('−', '-').replace('\u202f', '')));
       expect(numbers.length).toBeGreaterThanOrEqual(3);
       expect(numbers.every((number, i) => i === 0 || number > numbers[i - 1])).toBe(true);
-      expect(numbers[0]).toBe(shading === 'magnitude' ? 0 : -numbers[numbers.length - 1]);
+      expect(numbers[0]).toBe(['magnitude', 'difference'].includes(shading) ? 0 : -numbers[numbers.length - 1]);
       expect(await page.locator('#legend figcaption').innerText()).toMatch(/1\/length/);
     }
-    expect(pictures.size).toBe(7);
+    expect(pictures.size).toBe(9);
     await page.context().close();
   });
 
@@ -98,19 +108,6 @@ describe('the page', () => {
     await page.keyboard.press('f');
     const again = await look(page);
     expect(Math.abs(again.coloured / first.coloured - 1)).toBeLessThan(0.02);
-    await page.context().close();
-  });
-
-  test('shows the control cage over the surface when asked', async () => {
-    const { page } = await openPage(served.browser, served.url);
-    await page.locator('[name=shading]').selectOption('plain');
-    await drawn(page);
-    const before = await page.locator('#surface').screenshot();
-    await page.getByLabel('Control cage').check();
-    await drawn(page);
-    const shown = await page.locator('#surface').screenshot();
-    expect(shown.equals(before)).toBe(false);
-    await page.screenshot({ path: path.join(screenshots, 'control-cage.png') });
     await page.context().close();
   });
 

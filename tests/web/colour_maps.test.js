@@ -67,8 +67,11 @@ describe.each(/** @type {const} */ (['diverging', 'sequential']))('the %s map', 
     const bytes = mapBytes(name);
     const gradient = mapGradient(name, 'to right');
     const end = 4 * (MAP_SIZE - 1);
+    const [middle] = /rgb\(\S+ \S+ \S+\) 50\.00%/.exec(gradient) ?? [''];
+    expect(mapGradient(name, 'to right', 0.25)).toContain(middle.replace('50.00%', '25.00%'));
+    expect(middle).not.toBe('');
     expect(gradient.startsWith(`linear-gradient(to right, rgb(${bytes[0]} ${bytes[1]} ${bytes[2]})`)).toBe(true);
-    expect(gradient.endsWith(`rgb(${bytes[end]} ${bytes[end + 1]} ${bytes[end + 2]}))`)).toBe(true);
+    expect(gradient.endsWith(`rgb(${bytes[end]} ${bytes[end + 1]} ${bytes[end + 2]}) 100.00%)`)).toBe(true);
   });
 });
 

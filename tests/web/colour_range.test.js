@@ -5,7 +5,7 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { quantities, quantityOf, sampleValues } from '../../web/colour/quantities.js';
-import { calmRange, fullRange, robustRange, sameRange } from '../../web/colour/range.js';
+import { calmRange, fullRange, isolineStep, robustRange, sameRange } from '../../web/colour/range.js';
 
 /** @typedef {import('../../web/colour/quantities.js').Quantity} Quantity */
 
@@ -83,6 +83,17 @@ describe('a full range', () => {
   });
 });
 
+describe('the step of isolines', () => {
+  test.each([
+    [-4, 4, 0.5],
+    [0, 1, 0.05],
+    [-3e-7, 3e-7, 5e-8],
+    [10, 13, 0.2],
+  ])('from %d to %d is %d, round, with at most 20 in the range', (low, high, step) => {
+    expect(isolineStep({ low, high, ticks: [] }) / step).toBeCloseTo(1, 9);
+  });
+});
+
 describe('the quantities', () => {
   test('of a sphere of radius 2 are what they are', () => {
     const of = (/** @type {import('../../web/colour/quantities.js').Shading} */ shading) =>
@@ -90,12 +101,14 @@ describe('the quantities', () => {
     expect(of('mean')).toBe(0.5);
     expect(of('gaussian')).toBe(0.25);
     expect(of('magnitude')).toBeCloseTo(Math.SQRT1_2, 12);
+    expect(of('difference')).toBe(0);
   });
 
   test('satisfy H² − K = ((κ₁ − κ₂)/2)²', () => {
     const [kappa1, kappa2] = [1.7, -0.4];
     const [h, k] = [quantity('mean').value(kappa1, kappa2), quantity('gaussian').value(kappa1, kappa2)];
     expect(h * h - k).toBeCloseTo(((kappa1 - kappa2) / 2) ** 2, 12);
+    expect(quantity('difference').value(kappa1, kappa2)).toBeCloseTo(2 * Math.sqrt(h * h - k), 12);
   });
 
   test('have a diverging map exactly when they have a sign', () => {

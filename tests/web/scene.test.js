@@ -19,7 +19,8 @@ describe('a geometry', () => {
     const geometry = new BufferGeometry();
     let disposals = 0;
     geometry.addEventListener('dispose', () => disposals++);
-    setSurface(geometry, mesh());
+    const first = mesh();
+    setSurface(geometry, first);
     const [position, index] = [geometry.getAttribute('position'), geometry.getIndex()];
     const moved = mesh();
     moved.positions.fill(2);
@@ -28,6 +29,9 @@ describe('a geometry', () => {
     expect(geometry.getIndex()).toBe(index);
     expect(position.getX(1)).toBe(2);
     expect(disposals).toBe(0);
+    // The first one can be shown again.
+    setSurface(geometry, first);
+    expect(position.getX(1)).toBe(0);
 
     const larger = {
       ...mesh(),
@@ -131,8 +135,8 @@ describe('a ray', () => {
       triangles: Uint32Array.from([...low.triangles, ...high.triangles.map((v) => v + 10)]),
       faces: Uint32Array.from([...low.faces, ...high.faces]),
     };
-    expect(pick(both, [2.25, 0.5, 5], [0, 0, -1])).toEqual({ face: 6, point: [2.25, 0.5, 1] });
-    expect(pick(both, [2.25, 0.5, -5], [0, 0, 2])).toEqual({ face: 2, point: [2.25, 0.5, 0] });
+    expect(pick(both, [2.25, 0.5, 5], [0, 0, -1])).toMatchObject({ face: 6, point: [2.25, 0.5, 1] });
+    expect(pick(both, [2.25, 0.5, -5], [0, 0, 2])).toMatchObject({ face: 2, point: [2.25, 0.5, 0] });
     expect(pick(both, [2.25, 0.5, 0.5], [0, 0, -1])?.face).toBe(2);
     expect(pick(both, [4.25, 0.5, 5], [0, 0, -1])).toBeNull();
     expect(pick(both, [2.25, 0.5, 5], [0, 0, 1])).toBeNull();
@@ -172,7 +176,7 @@ describe('a ray', () => {
   });
 
   test('is nearest to one of the vertices of the cage at the face that it meets', () => {
-    const hit = /** @type {import('../../web/scene/pick.js').Hit} */ ({ face: 1, point: [1.9, 0.2, 0] });
+    const hit = { face: 1, point: /** @type {[number, number, number]} */ ([1.9, 0.2, 0]) };
     expect(nearestVertex(strip(), hit, 10)).toBe(4);
     expect(nearestVertex(strip(), hit, 4)).toBe(2);
     expect(nearestVertex(strip(), hit, 2)).toBe(-1);

@@ -4,6 +4,7 @@
  * cage's own, and the cage before it was filled; and of every surface its topology once.
  */
 import { describe, expect, test } from '@jest/globals';
+import { patchEdges } from '../../web/scene/patches.js';
 import { withTopology } from '../../web/worker/protocol.js';
 import { fish } from '../browser/fish.js';
 import { plate } from '../browser/plate.js';
@@ -86,6 +87,26 @@ describe('the deviation', () => {
     open(3);
     work();
     expect(all('surfaced').at(-1)).not.toHaveProperty('deviations');
+  });
+});
+
+describe('where a run began', () => {
+  test('is the cage and its own surface, from which the run leads away but where it is held', () => {
+    open(1);
+    work();
+    const [{ limit, density }] = all('surfaced');
+    session.obey({ type: 'recall', run: 1 });
+    const [before] = all('recalled');
+    expect(before.limit.positions).toEqual(limit.positions);
+    expect(patchEdges(before.limit, density).length).toBe(2 * density * 192);
+    expect(before.cage.positions).toHaveLength(3 * 98);
+    expect(before.cage.edges).toHaveLength(2 * 192);
+    session.obey({ type: 'optimize', run: 1 });
+    work();
+    session.obey({ type: 'recall', run: 1 });
+    const after = all('recalled')[1];
+    expect(after.limit.positions).toEqual(before.limit.positions);
+    expect(all('surfaced').at(-1).limit.positions).not.toEqual(before.limit.positions);
   });
 });
 

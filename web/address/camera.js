@@ -15,6 +15,23 @@ import { numberIn } from './fields.js';
  * @property {[number, number, number]} target the point it looks at, relative to the surface's centre, in radii
  */
 
+/** Whether what is farther away looks smaller. @typedef {'perspective' | 'orthographic'} Projection */
+
+/** The directions from which a camera looks along an axis of the picture's space. */
+export const axisViews = /** @type {const} */ ({
+  front: { azimuth: 0, elevation: 0 },
+  right: { azimuth: 90, elevation: 0 },
+  top: { azimuth: 0, elevation: 90 },
+});
+
+/** @typedef {keyof typeof axisViews} AxisView */
+
+/** The axis along which a camera looks, if it does. @param {Camera} camera @returns {AxisView | null} */
+export function axisViewOf({ azimuth, elevation }) {
+  const names = /** @type {AxisView[]} */ (Object.keys(axisViews));
+  return names.find((name) => axisViews[name].azimuth === azimuth && axisViews[name].elevation === elevation) ?? null;
+}
+
 /** The initial camera of every surface. @type {Camera} */
 export const firstCamera = { azimuth: 38.7, elevation: 22.1, distance: 1, target: [0, 0, 0] };
 

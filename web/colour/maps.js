@@ -91,12 +91,14 @@ export function mapBytes(name) {
  * The map as a CSS gradient.
  * @param {MapName} name
  * @param {string} direction as in CSS, 'to right'
+ * @param {number} [middle] where the middle of the colours is, from 0 to 1
  */
-export function mapGradient(name, direction) {
+export function mapGradient(name, direction, middle = 0.5) {
   const bytes = mapBytes(name);
   const stops = Array.from({ length: 33 }, (_, k) => {
     const i = 4 * Math.round((k * (MAP_SIZE - 1)) / 32);
-    return `rgb(${bytes[i]} ${bytes[i + 1]} ${bytes[i + 2]})`;
+    const part = k <= 16 ? (k / 16) * middle : middle + (k / 16 - 1) * (1 - middle);
+    return `rgb(${bytes[i]} ${bytes[i + 1]} ${bytes[i + 2]}) ${(100 * part).toFixed(2)}%`;
   });
   return `linear-gradient(${direction}, ${stops.join(', ')})`;
 }

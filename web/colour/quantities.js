@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file The quantities that can colour a surface, with their units and colour maps: functions of the principal curvatures
- * κ1 ≥ κ2, and the distance from the cage's own surface.
+ * κ1 ≥ κ2, and the distance from the cage's own surface; and the patterns that can be drawn on it instead.
  */
 
 /** @import {MapName} from './maps.js' */
 
-/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'deviation' | 'stripes' | 'plain'} Shading */
+/** @typedef {'stripes' | 'isophotes'} Pattern */
+/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'difference' | 'deviation' | Pattern | 'plain'} Shading */
 
 /**
  * @typedef {object} Quantity
@@ -72,6 +73,16 @@ export const quantities = [
     value: (kappa1, kappa2) => Math.hypot(kappa1, kappa2),
     glsl: 'length(k)',
   },
+  {
+    shading: 'difference',
+    name: 'Curvature difference',
+    symbol: '|κ₁ − κ₂|',
+    unit: '1/length',
+    signed: false,
+    map: 'sequential',
+    value: (kappa1, kappa2) => Math.abs(kappa1 - kappa2),
+    glsl: 'abs(k.x - k.y)',
+  },
 ];
 
 /**
@@ -92,7 +103,22 @@ export const deviation = {
 export const allQuantities = [...quantities, deviation];
 
 /**
- * The quantity of a shading; null for stripes and plain.
+ * The shadings that show how smooth the normals are: dark and light lines that follow the viewer.
+ * @type {Array<{shading: Pattern, name: string}>}
+ */
+export const patterns = [
+  { shading: 'stripes', name: 'Reflection stripes' },
+  { shading: 'isophotes', name: 'Isophotes' },
+];
+
+/** The pattern of a shading, if it is one. @param {Shading} shading @returns {Pattern | null} */
+export const patternOf = (shading) => patterns.find((pattern) => pattern.shading === shading)?.shading ?? null;
+
+/** The words of an address for shadings by some quantities, by patterns or by nothing. @param {Quantity[]} some @returns {Shading[]} */
+export const shadingsOf = (some) => [...[...some, ...patterns].map(({ shading }) => shading), 'plain'];
+
+/**
+ * The quantity of a shading; null for patterns and plain.
  * @param {Shading} shading
  * @returns {Quantity | null}
  */

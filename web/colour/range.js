@@ -58,6 +58,45 @@ export function robustRange(values, signed) {
   return { low: ticks[0], high: ticks[ticks.length - 1], ticks };
 }
 
+/** How many steps a range that is given has between its ticks, about. */
+const STEPS = 4;
+
+/**
+ * A range with these ends: its ticks are the ends, and round numbers between them.
+ * @param {number} low
+ * @param {number} high above it
+ * @returns {Range}
+ */
+export function givenRange(low, high) {
+  const step = roundUp((high - low) / STEPS, NICE_STEPS);
+  const first = Math.ceil(low / step + 1e-9);
+  const count = Math.max(0, Math.floor(high / step - 1e-9) - first + 1);
+  const round = Array.from({ length: count }, (_, i) => Number(((first + i) * step).toPrecision(12)));
+  return { low, high, ticks: [low, ...round.filter((tick) => tick > low && tick < high), high] };
+}
+
+/** What keeps two numbers from being the ends of a range; null if nothing does. @param {number} low @param {number} high */
+export function problemOfRange(low, high) {
+  if (!Number.isFinite(low) || !Number.isFinite(high)) return 'Both ends must be numbers.';
+  return high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high))
+    ? null
+    : 'The first must be less than the second.';
+}
+
+/**
+ * The value that has the middle of the colours: 0 if the quantity has a sign and the range has 0 inside, so that colours
+ * tell the sign.
+ * @param {boolean} signed
+ * @param {Pick<Range, 'low' | 'high'>} range
+ */
+export const middleOf = (signed, { low, high }) => (signed && low < 0 && high > 0 ? 0 : (low + high) / 2);
+
+/** How many isolines a range has, at most. */
+const MOST_ISOLINES = 20;
+
+/** The distance of two isolines: a round number, of which 0 is a multiple. @param {Range} range */
+export const isolineStep = ({ low, high }) => roundUp((high - low) / MOST_ISOLINES, NICE_STEPS);
+
 /**
  * From the largest of the values to its opposite, rounded outwards: nothing lies outside.
  * @param {Float32Array} values

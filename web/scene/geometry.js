@@ -35,7 +35,8 @@ function setAttribute(geometry, name, array, itemSize) {
     attribute.copyArray(array);
     attribute.needsUpdate = true;
   } else {
-    geometry.setAttribute(name, new BufferAttribute(array, itemSize));
+    // A copy, since the next mesh is written over it while this one may be shown again.
+    geometry.setAttribute(name, new BufferAttribute(array.slice(), itemSize));
   }
 }
 

@@ -3,13 +3,12 @@
  * @file What is drawn on the surface: the rim of what is held, a dot at each pin, and a boundary that is pointed at. Faint where the surface hides them.
  */
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from 'three';
+import { LIFT, lift } from './lift.js';
 
 /** @import {ColorRepresentation, Material} from 'three' */
 
 /** Diameter of a pin's dot, in CSS pixels. */
 const DOT = 11;
-/** By which part of their distance marks are drawn nearer to the viewer, so that they lie on the surface. */
-const LIFT = { rim: 0.003, pin: 0.012 };
 /** Width of the line along a marked boundary, in CSS pixels: it is drawn as dots, as lines are always of one pixel. */
 const LINE = 5;
 /** Dots on each edge of the mesh, so that they touch. */
@@ -42,22 +41,14 @@ function asDiscs(material) {
       '#include <color_fragment>',
       '#include <color_fragment>\nif (distance(gl_PointCoord, vec2(0.5)) > 0.5) discard;',
     );
-    lift(shader, LIFT.pin);
+    lift(shader, LIFT.dot);
   };
-}
-
-/** Moves vertices towards the viewer, which leaves them where they are on the screen. @param {{vertexShader: string}} shader @param {number} part */
-function lift(shader, part) {
-  shader.vertexShader = shader.vertexShader.replace(
-    '#include <project_vertex>',
-    `#include <project_vertex>\ngl_Position = projectionMatrix * vec4(mvPosition.xyz * ${1 - part}, 1.0);`,
-  );
 }
 
 export function createMarks() {
   const rimGeometry = new BufferGeometry();
   const rimSeen = new LineBasicMaterial({ transparent: true, opacity: 0.75, toneMapped: false });
-  rimSeen.onBeforeCompile = (shader) => lift(shader, LIFT.rim);
+  rimSeen.onBeforeCompile = (shader) => lift(shader, LIFT.line);
   const rim = new LineSegments(rimGeometry, rimSeen);
 
   const pinGeometry = new BufferGeometry();

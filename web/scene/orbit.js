@@ -3,12 +3,12 @@
  * @file Camera controls: mouse, touch and keys turn, move and zoom the camera. Reports its position in the numbers of
  * an address when it comes to rest.
  */
-import { PerspectiveCamera } from 'three';
+import { MathUtils, OrthographicCamera, PerspectiveCamera } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { FARTHEST, NEAREST, firstCamera, sameCamera } from '../address/camera.js';
 import { FIELD_OF_VIEW, cameraOf, fittingDistance, placementOf } from './placement.js';
 
-/** @import {Camera} from '../address/camera.js' */
+/** @import {Camera, Projection} from '../address/camera.js' */
 
 /** The camera rests if it has not moved for this many milliseconds. */
 const REST = 200;
@@ -24,6 +24,10 @@ const SEEN = 8;
  */
 export function createOrbit(element, { moved, rested }) {
   const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
+  /** Shows what is at the target in the same size. */
+  const parallel = new OrthographicCamera();
+  /** @type {Projection} */
+  let projection = 'perspective';
   camera.position.copy(placementOf(firstCamera, camera.aspect).position);
   const controls = new OrbitControls(camera, element);
   controls.dampingFactor = 0.12;
@@ -51,6 +55,11 @@ export function createOrbit(element, { moved, rested }) {
   /** @param {Camera} next */
   function place(next) {
     const { position, target } = placementOf(next, camera.aspect);
+    // What is left of a motion would lead away from there.
+    const { enableDamping } = controls;
+    controls.enableDamping = false;
+    controls.update();
+    controls.enableDamping = enableDamping;
     limitDistance();
     controls.target.copy(target);
     camera.position.copy(position);
@@ -61,6 +70,7 @@ export function createOrbit(element, { moved, rested }) {
   limitDistance();
 
   return {
+    /** Moved by the controls. */
     camera,
     controls,
 
@@ -88,6 +98,24 @@ export function createOrbit(element, { moved, rested }) {
       camera.near = Math.max(distance - SEEN, distance / 200);
       camera.far = distance + SEEN;
       camera.updateProjectionMatrix();
+      if (projection === 'perspective') return;
+      parallel.position.copy(camera.position);
+      parallel.quaternion.copy(camera.quaternion);
+      parallel.top = camera.position.distanceTo(controls.target) * Math.tan(MathUtils.degToRad(FIELD_OF_VIEW) / 2);
+      parallel.right = parallel.top * camera.aspect;
+      [parallel.bottom, parallel.left] = [-parallel.top, -parallel.right];
+      [parallel.near, parallel.far] = [distance - SEEN, distance + SEEN];
+      parallel.view = camera.view;
+      parallel.updateProjectionMatrix();
+    },
+
+    /** The camera to draw with, after `focus`. */
+    lens: () => (projection === 'perspective' ? camera : parallel),
+
+    /** @param {Projection} next */
+    project(next) {
+      projection = next;
+      moved();
     },
 
     dispose() {

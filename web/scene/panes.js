@@ -13,8 +13,7 @@ import { createStand } from './stand.js';
 
 /** @import * as core from '../../wasm/types.js' */
 /** @import {Camera} from '../address/camera.js' */
-/** @import {Quantity} from '../colour/quantities.js' */
-/** @import {Range} from '../colour/range.js' */
+/** @import {Shade} from './material.js' */
 /** @import {Extent} from './stand.js' */
 
 /** A surface, null until it is loaded, and the element that marks where it is drawn on the canvas. @typedef {{mesh: core.Mesh | null, place: Element}} Pane */
@@ -111,9 +110,9 @@ export function createPanes(canvas, { calm, slow, rested }) {
       painter.request();
     },
 
-    /** @param {Quantity | null} quantity @param {Range | null} range */
-    shade(quantity, range, striped = false) {
-      surfaceMaterial.shade(quantity, range, striped);
+    /** @param {Shade} next */
+    shade(next) {
+      surfaceMaterial.shade(next);
       painter.request();
     },
 

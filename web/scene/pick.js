@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file Which triangle of a mesh a ray meets first, and which vertex of the cage is nearest to a point. Arrays only, so
- * that a stroke of the brush over a fine mesh stays quick.
+ * that the pointer over a fine mesh stays quick.
  */
+
+import { PART, boxesOf, enters } from './boxes.js';
 
 /** @import {Vector3Tuple} from 'three' */
 /** @import {Mesh} from '../../wasm/types.js' */
 
-/** Where a ray meets a surface: the face of the cage, from 0, and the point. @typedef {{face: number, point: Vector3Tuple}} Hit */
+/**
+ * Where a ray meets a surface: the triangle and the face of the cage, from 0, the point, and the weights of the triangle's
+ * corners there.
+ * @typedef {{triangle: number, face: number, point: Vector3Tuple, weights: Vector3Tuple}} Hit
+ */
 
 /**
  * How far beside a triangle a ray still meets it, as a part of its sides. Without it rounding lets a ray through an edge
@@ -16,16 +22,17 @@
 const EDGE = 1e-6;
 
 /**
- * The nearest triangle that the ray meets, from either side. T. Möller & B. Trumbore 1997.
- * @param {Pick<Mesh, 'positions' | 'triangles' | 'faces'>} mesh
+ * The nearest of some triangles that the ray meets, from either side. T. Möller & B. Trumbore 1997.
+ * @param {Pick<Mesh, 'positions' | 'triangles'>} mesh
  * @param {Vector3Tuple} origin
  * @param {Vector3Tuple} direction
- * @returns {Hit | null}
+ * @param {number} first index of the first corner
+ * @param {number} last index after the last corner
+ * @param {{distance: number, triangle: number, u: number, v: number}} found nearer than this; changed in place. The distance
+ *   is a multiple of the direction, and u, v are the weights of the triangle's second and third corner
  */
-export function pick({ positions, triangles, faces }, [ox, oy, oz], [dx, dy, dz]) {
-  let nearest = Infinity;
-  let hit = -1;
-  for (let t = 0; t < triangles.length; t += 3) {
+function meet({ positions, triangles }, [ox, oy, oz], [dx, dy, dz], first, last, found) {
+  for (let t = first; t < last; t += 3) {
     const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
     const [ax, ay, az] = [positions[a], positions[a + 1], positions[a + 2]];
     const [ux, uy, uz] = [positions[b] - ax, positions[b + 1] - ay, positions[b + 2] - az];
@@ -40,17 +47,37 @@ export function pick({ positions, triangles, faces }, [ox, oy, oz], [dx, dy, dz]
     const v = (dx * qx + dy * qy + dz * qz) / determinant;
     if (!(v >= -EDGE && u + v <= 1 + EDGE)) continue;
     const distance = (vx * qx + vy * qy + vz * qz) / determinant;
-    if (distance > 0 && distance < nearest) [nearest, hit] = [distance, t / 3];
+    if (distance > 0 && distance < found.distance) Object.assign(found, { distance, triangle: t / 3, u, v });
   }
-  if (hit < 0) return null;
-  return { face: faces[hit], point: [ox + nearest * dx, oy + nearest * dy, oz + nearest * dz] };
+}
+
+/**
+ * The nearest triangle that the ray meets, from either side.
+ * @param {Pick<Mesh, 'positions' | 'triangles' | 'faces'>} mesh
+ * @param {Vector3Tuple} origin
+ * @param {Vector3Tuple} direction
+ * @param {Float64Array} [boxes] of the mesh; see boxes.js
+ * @returns {Hit | null}
+ */
+export function pick(mesh, origin, direction, boxes = boxesOf(mesh)) {
+  const [ix, iy, iz] = direction.map((component) => 1 / component);
+  const found = { distance: Infinity, triangle: -1, u: 0, v: 0 };
+  for (let box = 0; box < boxes.length; box += 6) {
+    if (enters(boxes, box, origin, [ix, iy, iz]) >= found.distance) continue;
+    const first = (box / 6) * 3 * PART;
+    meet(mesh, origin, direction, first, Math.min(first + 3 * PART, mesh.triangles.length), found);
+  }
+  const { triangle, distance, u, v } = found;
+  if (triangle < 0) return null;
+  const [x, y, z] = origin.map((component, axis) => component + distance * direction[axis]);
+  return { triangle, face: mesh.faces[triangle], point: [x, y, z], weights: [1 - u - v, u, v] };
 }
 
 /**
  * The vertex of the cage, among those of a face, whose limit point is nearest to a point of the surface. Refinement
  * keeps the numbers of vertices, so the first points of a limit mesh are those of the cage's vertices.
  * @param {Pick<Mesh, 'positions' | 'triangles' | 'faces'>} mesh
- * @param {Hit} hit
+ * @param {Pick<Hit, 'face' | 'point'>} hit
  * @param {number} vertices of the cage
  * @returns {number} from 0; -1 if there is none
  */

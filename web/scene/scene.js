@@ -1,37 +1,24 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The three.js scene: surface, control cage, light and camera. Draws only when something has changed.
+ * @file The three.js scene: surface, lines over it, light and camera. Draws only when something has changed.
  */
-import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, Raycaster, Scene, Vector2 } from 'three';
-import { extent, setDeviations, setEdges, setParts, setSurface } from './geometry.js';
+import { BufferGeometry, Mesh, Scene } from 'three';
+import { extent, setDeviations, setParts, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
 import { createMarks } from './marks.js';
 import { createSurfaceMaterial } from './material.js';
 import { createOrbit } from './orbit.js';
+import { createOverlays } from './overlays.js';
 import { createPainter } from './painter.js';
-import { nearestVertex, pick } from './pick.js';
+import { createPointing } from './pointing.js';
 import { createStand } from './stand.js';
 
 /** @import * as core from '../../wasm/types.js' */
-/** @import {Camera} from '../address/camera.js' */
-/** @import {Quantity} from '../colour/quantities.js' */
-/** @import {Range} from '../colour/range.js' */
+/** @import {Camera, Projection} from '../address/camera.js' */
+/** @import {Shade} from './material.js' */
 
 /** The surface is raised above the middle by this fraction of the height, clear of the legend. */
 const RAISE = 0.035;
-
-/**
- * The cage's edges: plain where visible, faint where the surface hides them.
- * @param {BufferGeometry} geometry
- */
-function createCageLines(geometry) {
-  const seen = new LineBasicMaterial({ transparent: true, opacity: 0.85 });
-  const hidden = new LineBasicMaterial({ transparent: true, opacity: 0.16, depthTest: false });
-  const group = new Group();
-  group.add(new LineSegments(geometry, hidden), new LineSegments(geometry, seen));
-  group.visible = false;
-  return { group, materials: [seen, hidden] };
-}
 
 /**
  * @param {HTMLCanvasElement} canvas fills its parent
@@ -53,11 +40,11 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
   const surface = new Mesh(surfaceGeometry, [surfaceMaterial.material, surfaceMaterial.held]);
   surface.visible = false;
   surface.frustumCulled = false;
-  const cageGeometry = new BufferGeometry();
-  const cage = createCageLines(cageGeometry);
+  const overlays = createOverlays(surfaceGeometry);
+  const pointing = createPointing(surface, orbit.lens);
   const stand = createStand();
   const marks = createMarks();
-  stand.model.add(surface, cage.group, marks.group);
+  stand.model.add(surface, overlays.group, marks.group);
   scene.add(stand.object);
 
   const painter = createPainter(canvas, {
@@ -71,7 +58,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     draw(renderer) {
       if (!surface.visible) return;
       orbit.focus();
-      renderer.render(scene, camera);
+      renderer.render(scene, orbit.lens());
     },
     resized(width, height) {
       orbit.resize(width / height);
@@ -79,8 +66,6 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     },
   });
 
-  /** Origin of the surface's positions, in the cage's coordinates. @type {Float64Array} */
-  let origin = new Float64Array(3);
   /** The mesh on the screen. @type {core.Mesh | null} */
   let shown = null;
   /** @type {Uint8Array | null} */
@@ -105,7 +90,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     const sizes = { positions: 9, normals: 9, curvatures: 6 };
     const arrays = Object.entries(sizes).map(([name, size]) => [name, new Float32Array(size)]);
     const [triangles, faces, edges] = [new Uint32Array(6), new Uint32Array([0, 1]), new Uint32Array(0)];
-    const mesh = { ...Object.fromEntries(arrays), centre: origin, triangles, faces, edges };
+    const mesh = { ...Object.fromEntries(arrays), centre: new Float64Array(3), triangles, faces, edges };
     setSurface(surfaceGeometry, mesh, Uint8Array.of(0, 1));
     surface.visible = true;
     painter.rehearse();
@@ -119,6 +104,9 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     /** Sets the camera. @param {Camera} next */
     setCamera: (next) => orbit.set(next),
 
+    /** How points are projected to the picture. @param {Projection} next */
+    project: (next) => orbit.project(next),
+
     /**
      * Which axis of the model points upwards on the screen.
      * @param {'y' | 'z'} axis
@@ -128,14 +116,21 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       requestRender();
     },
 
-    /** @param {core.Mesh} mesh @param {Float32Array | null} [deviations] of each vertex from the cage's own surface */
-    setSurface(mesh, deviations = null) {
+    /**
+     * @param {core.Mesh} mesh
+     * @param {Float32Array | null} [deviations] of each vertex from the cage's own surface
+     * @param {core.Mesh} [like] the mesh that is placed in the picture, to which this one keeps its position and size
+     */
+    setSurface(mesh, deviations = null, like = mesh) {
       marks.setRim(surfaceGeometry, setSurface(surfaceGeometry, mesh, held));
       setDeviations(surfaceGeometry, deviations);
       placePins(mesh);
       shown = mesh;
-      stand.centre(extent(mesh.positions));
-      origin = mesh.centre;
+      pointing.set(mesh, deviations);
+      const { centre, radius } = extent(like.positions);
+      const [x, y, z] = centre.map((value, axis) => value + like.centre[axis] - mesh.centre[axis]);
+      stand.centre({ centre: [x, y, z], radius });
+      overlays.move(mesh.centre);
       surface.visible = true;
       requestRender();
     },
@@ -162,47 +157,33 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       requestRender();
     },
 
+    /** What is under a point of the picture; see pointing.js. */
+    cell: pointing.cell,
+    reading: pointing.reading,
+
     /**
-     * What is under a point of the canvas.
-     * @param {number} x from 0 at the left to 1 at the right
-     * @param {number} y from 0 at the top to 1 at the bottom
-     * @param {number} vertices of the cage
-     * @returns {{face: number, vertex: number} | null} the face of the cage, and its vertex nearest to the point, from 0
+     * Lines over the surface that was set last; none for null.
+     * @param {{control: core.Mesh | null, original: core.Mesh | null, patches: boolean}} lines the control cage, and the
+     *   cage that the surface began from
+     * @param {number} density quads along each edge of a patch
      */
-    pick(x, y, vertices) {
-      if (!shown) return null;
-      scene.updateMatrixWorld();
-      const ray = new Raycaster();
-      ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), camera);
-      ray.ray.applyMatrix4(surface.matrixWorld.clone().invert());
-      const hit = pick(shown, ray.ray.origin.toArray(), ray.ray.direction.toArray());
-      return hit && { face: hit.face, vertex: nearestVertex(shown, hit, vertices) };
-    },
-
-    /** Sets the control cage of the surface that was set last. @param {core.Mesh} mesh */
-    setCage(mesh) {
-      setEdges(cageGeometry, mesh);
-      const [x, y, z] = mesh.centre.map((value, axis) => value - origin[axis]);
-      cage.group.position.set(x, y, z);
+    setLines({ control, original, patches }, density) {
+      overlays.setControl(control);
+      overlays.setOriginal(original);
+      overlays.setPatches(patches ? shown : null, density);
       requestRender();
     },
 
-    /** @param {boolean} visible */
-    showCage(visible) {
-      cage.group.visible = visible;
+    /** @param {Shade} next */
+    shade(next) {
+      surfaceMaterial.shade(next);
       requestRender();
     },
 
-    /** @param {Quantity | null} quantity @param {Range | null} range */
-    shade(quantity, range, striped = false) {
-      surfaceMaterial.shade(quantity, range, striped);
-      requestRender();
-    },
-
-    /** @param {string} colour of lines, as in CSS @param {string} accent of pins */
-    setColours(colour, accent) {
-      marks.setColours(colour, accent);
-      cage.materials.forEach((material) => material.color.set(new Color(colour)));
+    /** @param {string} line the colour of lines, as in CSS @param {string} accent of pins and of the cage that the surface began from */
+    setColours(line, accent) {
+      marks.setColours(line, accent);
+      overlays.setColours(line, accent);
       requestRender();
     },
 
@@ -213,8 +194,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       painter.dispose();
       orbit.dispose();
       surfaceGeometry.dispose();
-      cageGeometry.dispose();
-      cage.materials.forEach((material) => material.dispose());
+      overlays.dispose();
       surfaceMaterial.dispose();
       marks.dispose();
     },

@@ -16,8 +16,9 @@ const ZOOM = 0.85;
  * @param {Controls | undefined} controls
  * @param {() => void} fit
  * @param {AbortSignal} signal
+ * @param {Record<string, () => void>} [more] other keys, and what they do
  */
-export function listenToKeys(element, controls, fit, signal) {
+export function listenToKeys(element, controls, fit, signal, more = {}) {
   /** @type {Record<string, () => void>} */
   const keys = {
     ArrowLeft: () => controls?.rotateLeft(TURN),
@@ -28,6 +29,7 @@ export function listenToKeys(element, controls, fit, signal) {
     '=': () => controls?.dollyIn(ZOOM),
     '-': () => controls?.dollyOut(ZOOM),
     f: fit,
+    ...more,
   };
   element.addEventListener(
     'keydown',

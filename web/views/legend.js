@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file The legend: the menu of quantities that can colour the surfaces, the colours and their numbers. Also chooses
- * the range of the colours, common to all surfaces.
+ * the range of the colours, common to all surfaces, unless it is pinned.
  */
-import { mapGradient } from '../colour/maps.js';
-import { quantities, quantityOf, sampleValues } from '../colour/quantities.js';
-import { calmRange, fullRange, robustRange, sameRange } from '../colour/range.js';
-import { compact } from '../words/numbers.js';
-import { element, find, setText, whenChanged } from './dom.js';
+import { histogram, valuesOf, vertexAreas } from '../colour/histogram.js';
+import { patterns, quantities, quantityOf, sampleValues } from '../colour/quantities.js';
+import { calmRange, fullRange, givenRange, robustRange, sameRange } from '../colour/range.js';
+import { element, find, whenChanged } from './dom.js';
+import { createRangeView } from './legend_range.js';
+import { STEPS, createScale } from './legend_scale.js';
 
 /** @import {Quantity, Shading} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
+/** @import {Ends} from './legend_range.js' */
 
 /**
  * The input of the legend.
@@ -19,41 +21,99 @@ import { element, find, setText, whenChanged } from './dom.js';
  * @property {Float32Array[]} curvatures κ1, κ2 per vertex of every surface that the legend applies to
  * @property {Float32Array | null} [deviations] per vertex, where the deviation is shown
  * @property {string} occasion as long as it stays the same, the range changes rarely
+ * @property {{positions: Float32Array, triangles: Uint32Array} | null} [mesh] of the only surface, for how its values are spread
+ * @property {Ends | null} [pinned] the range, if it is pinned
+ * @property {boolean} [isolines] whether the surface has isolines
  */
+
+/** A value of curvatures or a deviation that is pointed at. @typedef {{kappa1: number, kappa2: number, deviation: number | null}} Reading */
 
 /**
  * @param {HTMLElement} root
- * @param {(shading: Shading) => void} choose
- * @param {(quantity: Quantity) => string} [unit] the unit of the numbers, in words
- * @param {Quantity[]} [offered]
+ * @param {object} options
+ * @param {(shading: Shading) => void} options.choose
+ * @param {(quantity: Quantity) => string} [options.unit] the unit of the numbers, in words
+ * @param {Quantity[]} [options.offered]
+ * @param {(ends: Ends | null) => void} [options.pin] without it, the range cannot be pinned
  */
-export function createLegendView(root, choose, unit = (quantity) => `in ${quantity.unit}`, offered = quantities) {
+export function createLegendView(
+  root,
+  { choose, unit = (quantity) => `in ${quantity.unit}`, offered = quantities, pin },
+) {
   const listening = new AbortController();
   const select = /** @type {HTMLSelectElement} */ (find(root, '[name=shading]'));
-  const figure = find(root, 'figure');
-  const bar = find(root, '.bar');
-  const ticks = find(root, '.ticks');
-  const caption = find(root, 'figcaption');
+  const scale = createScale(find(root, 'figure'));
+  const rangeView = pin && createRangeView(root, pin);
   select.append(
-    ...offered.map(({ shading, name }) => element('option', { value: shading }, name)),
-    element('option', { value: 'stripes' }, 'Reflection stripes'),
+    ...[...offered, ...patterns].map(({ shading, name }) => element('option', { value: shading }, name)),
     element('option', { value: 'plain' }, 'Plain'),
   );
   select.addEventListener('change', () => choose(/** @type {Shading} */ (select.value)), { signal: listening.signal });
 
-  const show = whenChanged((/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range) => {
-    figure.hidden = !quantity || !range;
-    if (!quantity || !range) return;
-    bar.style.background = mapGradient(quantity.map, 'to right');
-    setText(caption, `${quantity.symbol}, ${unit(quantity)}`);
-    ticks.replaceChildren(
-      ...range.ticks.map((tick) => {
-        const position = (100 * (tick - range.low)) / (range.high - range.low);
-        return element('span', { style: `left: ${position.toFixed(2)}%` }, compact(tick));
-      }),
-    );
-  });
+  const measured = createMeasure();
+  const show = whenChanged(scale.show);
+  const spread = whenChanged(
+    (
+      /** @type {Quantity | null} */ quantity,
+      /** @type {Range | null} */ range,
+      /** @type {Shaded['mesh'] | null} */ mesh,
+      /** @type {Float32Array | null} */ curvatures,
+      /** @type {Float32Array | null} */ deviations,
+    ) => {
+      if (!quantity || !range || !mesh || !curvatures) return scale.fill(null);
+      const areas = vertexAreas(mesh.positions, mesh.triangles);
+      scale.fill(histogram(valuesOf(quantity, curvatures, deviations), areas, range, STEPS));
+    },
+  );
+  const given = memo(givenRange);
+  /** @type {Quantity | null} */
+  let quantity = null;
 
+  return {
+    /** @param {Shaded} shaded @returns {Range | null} the range of the colours */
+    update({ shading, curvatures, deviations = null, occasion, mesh = null, pinned = null, isolines = false }) {
+      quantity = quantityOf(shading);
+      const free = measured(quantity, `${shading} ${occasion}`, deviations, curvatures);
+      const range = quantity && pinned ? given(pinned.low, pinned.high) : free;
+      select.value = shading;
+      show(quantity, range, quantity ? unit(quantity) : '', isolines);
+      spread(quantity, range, mesh, curvatures[0] ?? null, deviations);
+      rangeView?.update(range, pinned !== null);
+      return range;
+    },
+
+    /** Marks a value in the colours. @param {Reading | null} reading */
+    mark(reading) {
+      if (!reading || !quantity) return scale.mark(null);
+      scale.mark(quantity.value ? quantity.value(reading.kappa1, reading.kappa2) : reading.deviation);
+    },
+
+    dispose() {
+      listening.abort();
+      rangeView?.dispose();
+    },
+  };
+}
+
+/**
+ * The last result again for the same arguments.
+ * @template {unknown[]} A
+ * @template T
+ * @param {(...args: A) => T} work
+ * @returns {(...args: A) => T}
+ */
+function memo(work) {
+  /** @type {T} */
+  let result;
+  const renew = whenChanged((/** @type {A} */ ...args) => (result = work(...args)));
+  return (...args) => {
+    renew(...args);
+    return result;
+  };
+}
+
+/** The range that fits most of the values, which changes rarely on one occasion. */
+function createMeasure() {
   /** @type {Range | null} */
   let range = null;
   let lastOccasion = '';
@@ -78,17 +138,14 @@ export function createLegendView(root, choose, unit = (quantity) => `in ${quanti
       lastOccasion = occasion;
     },
   );
-
-  return {
-    /** @param {Shaded} shaded @returns {Range | null} the range of the colours */
-    update({ shading, curvatures, deviations = null, occasion }) {
-      const quantity = quantityOf(shading);
-      measure(quantity, `${shading} ${occasion}`, deviations, ...curvatures);
-      select.value = shading;
-      show(quantity, range);
-      return range;
-    },
-    dispose: () => listening.abort(),
+  return (
+    /** @type {Quantity | null} */ quantity,
+    /** @type {string} */ occasion,
+    /** @type {Float32Array | null} */ deviations,
+    /** @type {Float32Array[]} */ curvatures,
+  ) => {
+    measure(quantity, occasion, deviations, ...curvatures);
+    return range;
   };
 }
 

@@ -5,7 +5,8 @@
  */
 
 /** @import {Minimizer} from '../../wasm/umbilic.js' */
-/** @import {Mesh, Problem} from '../../wasm/types.js' */
+/** @import {Mesh} from '../../wasm/types.js' */
+/** @import {createOwnSurface} from './own_surface.js' */
 
 /**
  * @param {Mesh} mesh
@@ -24,26 +25,10 @@ export function deviations(mesh, own) {
   });
 }
 
-/** @param {{Minimizer: typeof Minimizer}} core */
-export function createDeviation(core) {
-  /** The run whose cage's own surface is known, at which level, and the last mesh of that. @type {{run: Minimizer, level: number, surface: Minimizer, mesh: Mesh | null} | null} */
-  let own = null;
-
-  function drop() {
-    own?.surface.dispose();
-    own = null;
-  }
-
-  /** @param {Minimizer} run */
-  function surfaceOf(run) {
-    const { level } = run.progress;
-    if (own?.run === run && own.level === level) return own;
-    drop();
-    /** @type {Problem} */
-    const problem = { ...run.problem, options: { ...run.problem.options, levels: [level, level] } };
-    delete problem.start;
-    return (own = { run, level, surface: new core.Minimizer(problem), mesh: null });
-  }
+/** @param {ReturnType<typeof createOwnSurface>} own */
+export function createDeviation(own) {
+  /** The last mesh of a cage's own surface. @type {{surface: Minimizer, mesh: Mesh} | null} */
+  let last = null;
 
   return {
     /**
@@ -53,11 +38,15 @@ export function createDeviation(core) {
      * @returns {Float32Array} one for each vertex
      */
     of(run, mesh, density) {
-      const known = surfaceOf(run);
-      const same = known.mesh?.positions.length === mesh.positions.length;
-      return deviations(mesh, (known.mesh = (same && known.mesh) || known.surface.limitMesh(density)));
+      const surface = own.of(run);
+      const same = last?.surface === surface && last.mesh.positions.length === mesh.positions.length;
+      if (!last || !same) last = { surface, mesh: surface.limitMesh(density) };
+      return deviations(mesh, last.mesh);
     },
 
-    drop,
+    drop() {
+      last = null;
+      own.drop();
+    },
   };
 }

@@ -9,12 +9,13 @@ import { stl } from '../files/stl.js';
 import { coloursOf } from './colouring.js';
 import { SAVED_QUADS, densityFor } from './density.js';
 import { createDeviation } from './deviation.js';
+import { createOwnSurface } from './own_surface.js';
 
-/** @import {Certificate, Minimizer} from '../../wasm/umbilic.js' */
+/** @import {Cage, Certificate, Minimizer} from '../../wasm/umbilic.js' */
 /** @import {Mesh} from '../../wasm/types.js' */
 /** @import {Exportable, ExportOptions} from './protocol.js' */
 
-/** @typedef {{Minimizer: typeof Minimizer}} Core */
+/** @typedef {{Cage: typeof Cage, Minimizer: typeof Minimizer}} Core */
 
 /**
  * The control mesh after some Catmull-Clark steps, which leave the surface as it is; after the first all faces are quads.
@@ -37,7 +38,7 @@ function refinedObj(core, run, steps) {
 /** @param {Core} core @param {Minimizer} run @param {Mesh} mesh @param {number} density of it @param {ExportOptions} options */
 function coloursFor(core, run, mesh, density, { colouring }) {
   if (!colouring) return null;
-  const deviation = createDeviation(core);
+  const deviation = createDeviation(createOwnSurface(core));
   try {
     return coloursOf(colouring, mesh.curvatures, () => deviation.of(run, mesh, density));
   } finally {

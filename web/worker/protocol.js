@@ -53,9 +53,12 @@
  * it has and the surface is at rest.
  * @typedef {{type: 'deviate', on: boolean}} Deviate
  *
+ * Asks for the surface and the cage that a run began from. Answers `recalled`.
+ * @typedef {{type: 'recall', run: number}} Recall
+ *
  * Asks for the answer `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Deviate | Ping} Command
+ * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Deviate | Recall | Ping} Command
  */
 
 /**
@@ -93,11 +96,14 @@
  * @typedef {{type: 'opened', run: number, level: number, cage: CageReport, group: Group, groups: FaceGroup[], asked?: Problem, report?:
  *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>, unfilled?: Unfilled, held?: number[]}} Opened
  *
- * The current surface. `evaluations` counts all levels so far. `patches` has its evaluated mesh, of which each has the same
- * number of quads in the limit mesh. `coarse`: `detail` will bring a finer one. `deviations`: the
- * distance of each vertex of the limit mesh from the cage's own surface; see deviation.js.
- * @typedef {{type: 'surfaced', run: number, evaluations: number, patches: number, limit: MeshUpdate, control: MeshUpdate, deviations?: Float32Array,
- *   coarse?: boolean}} Surfaced
+ * The current surface. `evaluations` counts all levels so far. `patches` has its evaluated mesh, and `density` counts the quads
+ * along each edge of one in the limit mesh, in which the quads of a patch follow each other. `coarse`: `detail` will bring a finer
+ * one. `deviations`: the distance of each vertex of the limit mesh from the cage's own surface; see deviation.js.
+ * @typedef {{type: 'surfaced', run: number, evaluations: number, patches: number, limit: MeshUpdate, density: number, control: MeshUpdate,
+ *   deviations?: Float32Array, coarse?: boolean}} Surfaced
+ *
+ * The limit mesh of the cage's own surface at the run's level, and the cage as it was given.
+ * @typedef {{type: 'recalled', run: number, limit: Mesh, density: number, cage: Mesh}} Recalled
  *
  * Energies of the surface by the reporting rule. Its level is not always the last one.
  * @typedef {{type: 'measured', run: number, evaluations: number, level: number, energies: Energies}} Measured
@@ -134,8 +140,8 @@
  *
  * `input`: something is wrong with the user's file or options. `internal`: the worker can no longer be used.
  * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
- * @typedef {Started | Opened | Surfaced | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved | Exported |
- *   CertificateAdvanced | Certified | CertificateAbandoned | Descended | Ponged | Failed} Message
+ * @typedef {Started | Opened | Surfaced | Recalled | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved |
+ *   Exported | CertificateAdvanced | Certified | CertificateAbandoned | Descended | Ponged | Failed} Message
  */
 
 /** How many numbers a sample in `stepped` has. */
@@ -165,6 +171,8 @@ export function transferables(message) {
   if (message.type === 'surfaced') {
     views = [message.limit, message.control].flatMap((mesh) => Object.values(mesh));
     if (message.deviations) views.push(message.deviations);
+  } else if (message.type === 'recalled') {
+    views = [message.limit, message.cage].flatMap((mesh) => Object.values(mesh));
   } else if (message.type === 'stepped') {
     views = [message.samples];
   } else if (message.type === 'saved' || message.type === 'descended') {

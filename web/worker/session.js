@@ -186,6 +186,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     switch (command.type) {
       case 'detail':
         return introduce(run);
+      case 'recall':
+        return telling.recall();
       case 'expect':
         return preparing.expect(command.problem);
       case 'optimize':

@@ -3,16 +3,18 @@
  * @file What is sent of a surface: its meshes, without what the page knows of them, and its deviation while that is shown.
  */
 import { createDeviation } from './deviation.js';
+import { createOwnSurface } from './own_surface.js';
 import { createTopologyFilter } from './topology.js';
 
-/** @import {Minimizer} from '../../wasm/umbilic.js' */
+/** @import {Cage, Minimizer} from '../../wasm/umbilic.js' */
 /** @import {Mesh} from '../../wasm/types.js' */
-/** @import {Surfaced} from './protocol.js' */
+/** @import {Recalled, Surfaced} from './protocol.js' */
 
-/** @param {{Minimizer: typeof Minimizer}} core */
+/** @param {{Cage: typeof Cage, Minimizer: typeof Minimizer}} core */
 export function createSurfacing(core) {
   const known = { limit: createTopologyFilter(), control: createTopologyFilter() };
-  const deviation = createDeviation(core);
+  const own = createOwnSurface(core);
+  const deviation = createDeviation(own);
   let deviating = false;
 
   /** @param {boolean} on whether deviations are sent from now on */
@@ -36,12 +38,25 @@ export function createSurfacing(core) {
      * @param {Minimizer} run
      * @param {Mesh} limit its limit mesh
      * @param {number} density of it
-     * @returns {Pick<Surfaced, 'limit' | 'control' | 'deviations'>}
+     * @returns {Pick<Surfaced, 'limit' | 'density' | 'control' | 'deviations'>}
      */
     of: (run, limit, density) => ({
       limit: known.limit.update(limit),
+      density,
       control: known.control.update(run.controlMesh()),
       ...(deviating && { deviations: deviation.of(run, limit, density) }),
     }),
+
+    /**
+     * Where it began: the limit mesh of the cage's own surface, and the cage.
+     * @param {Minimizer} run
+     * @param {number} density
+     * @returns {Pick<Recalled, 'limit' | 'density' | 'cage'>}
+     */
+    recalled(run, density) {
+      const limit = own.of(run).limitMesh(density);
+      if (!deviating) own.drop();
+      return { limit, density, cage: own.cageOf(run) };
+    },
   };
 }

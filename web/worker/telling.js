@@ -7,7 +7,7 @@ import { MOVING_QUADS, RESTING_QUADS, densityFor } from './density.js';
 import { Occasion } from './occasion.js';
 import { createSurfacing } from './surfacing.js';
 
-/** @import {Minimizer, parseReport} from '../../wasm/umbilic.js' */
+/** @import {Cage, Minimizer, parseReport} from '../../wasm/umbilic.js' */
 /** @import {Mesh} from '../../wasm/types.js' */
 /** @import {Message} from './protocol.js' */
 
@@ -41,7 +41,7 @@ const facesOf = (coarsest) => coarsest.triangles.length / 6;
 
 /**
  * @param {object} surroundings
- * @param {{Minimizer: typeof Minimizer, parseReport: typeof parseReport}} surroundings.core
+ * @param {{Cage: typeof Cage, Minimizer: typeof Minimizer, parseReport: typeof parseReport}} surroundings.core
  * @param {(message: Message) => void} surroundings.post
  * @param {() => number} surroundings.now milliseconds
  */
@@ -80,6 +80,12 @@ export function createTelling({ core, post, now }) {
     const sent = surfacing.of(current(), limit, density);
     const { patches } = told.surface;
     post({ type: 'surfaced', run, evaluations: total_evaluations, patches, ...sent, ...(first && { coarse: true }) });
+  }
+
+  /** Number of faces of the evaluated mesh; the control mesh may be coarser. */
+  function patches() {
+    const { level, patches: known } = told.surface;
+    return current().progress.level === level ? known : facesOf(current().limitMesh(1));
   }
 
   function saved() {
@@ -212,10 +218,10 @@ export function createTelling({ core, post, now }) {
       if (on && minimizer && resting && told.surface.level >= 0) surface(RESTING_QUADS);
     },
 
-    /** Number of faces of the evaluated mesh; the control mesh may be coarser. */
-    patches() {
-      const { level, patches } = told.surface;
-      return current().progress.level === level ? patches : facesOf(current().limitMesh(1));
-    },
+    patches,
+
+    /** Tells the surface and the cage that the run began from. */
+    recall: () =>
+      post({ type: 'recalled', run, ...surfacing.recalled(current(), densityFor(patches(), RESTING_QUADS)) }),
   };
 }

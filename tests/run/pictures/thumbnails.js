@@ -110,7 +110,7 @@ const thumbnails = {
     const ranges = meshes.map(({ curvatures }) => robustRange(sampleValues(quantity, curvatures), quantity.signed));
     const middle = ranges.map(({ high }) => high).sort((a, b) => a - b)[meshes.length >> 1];
     const high = Math.max(middle, LEAST_RANGE);
-    scene.shade(quantity, { low: -high, high, ticks: [] });
+    scene.shade({ quantity, range: { low: -high, high, ticks: [] } });
   },
 
   /** @param {number} index in the row */

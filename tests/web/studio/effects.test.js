@@ -54,6 +54,9 @@ function run(state, ...actions) {
   }, state);
 }
 
+/** @param {boolean} original @returns {Action} */
+const showsOriginal = (original) => ({ type: 'viewChanged', change: { original } });
+
 const types = () => sent.map(({ type }) => type);
 
 describe('the worker is told', () => {
@@ -69,6 +72,23 @@ describe('the worker is told', () => {
     expect(sent.at(-1)).toEqual({ type: 'deviate', on: false });
     run(resting(), { type: 'generatorChanged', change: { name: 'cube' } });
     expect(sent.at(-1)).not.toHaveProperty('deviation');
+  });
+
+  test('once in each run to say where it began, when that is shown', () => {
+    const shown = run(resting(), ...[true, false, true].map(showsOriginal));
+    expect(sent).toEqual([{ type: 'recall', run: 1 }]);
+    const recalled = run(shown, answered({ type: 'recalled', run: 1, limit: mesh(), density: 1, cage: mesh() }));
+    expect(recalled.view.start).toMatchObject({ run: 1, cage: mesh() });
+    const next = run(recalled, { type: 'generatorChanged', change: { name: 'cube' } });
+    expect(types()).toEqual(['recall', 'open']); // not while it opens
+    run(next, ...openedMessages(2));
+    expect(sent.at(-1)).toEqual({ type: 'recall', run: 2 });
+    sent = [];
+    run(
+      resting(),
+      ...[true, false, true].map((before) => /** @type {Action} */ ({ type: 'viewChanged', change: { before } })),
+    );
+    expect(sent).toEqual([{ type: 'recall', run: 1 }]);
   });
 
   test('to open the first cage', () => {
@@ -94,6 +114,7 @@ describe('the worker is told', () => {
       evaluations: 0,
       patches: 24,
       limit: mesh(),
+      density: 1,
       control: mesh(),
     };
     const coarse = run(resting(), answered({ ...surfaced, coarse: true }), { type: 'surfaceDrawn' });

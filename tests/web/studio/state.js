@@ -134,7 +134,7 @@ export function openedMessages(run) {
   const cage = { ...counts, components, boundaries: [], groups: [], repairs: [], notes: [] };
   return [
     answered({ type: 'opened', run, level: 0, cage, group: { name: 'D3h', order: 12 }, groups: [] }),
-    answered({ type: 'surfaced', run, evaluations: 0, patches: 24, limit: mesh(), control: mesh() }),
+    answered({ type: 'surfaced', run, evaluations: 0, patches: 24, limit: mesh(), density: 1, control: mesh() }),
     answered({ type: 'saved', run, evaluations: 0, state: surfaceState(0, run) }),
     answered({ type: 'measured', run, evaluations: 0, level: 0, energies: energies(150) }),
   ];

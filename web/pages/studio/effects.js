@@ -65,10 +65,20 @@ export function createEffects({ client, save, takePicture, load, setAddress }) {
     else client.send({ type: 'export', run: state.session.run, what, options });
   }
 
+  /** The run whose start was asked for. */
+  let recalled = -1;
+  /** Asks once where a run began, when that is to be shown. @param {State} after */
+  function recall({ session: { run, opening }, view: { original, before, surface } }) {
+    if (!(original || before) || !surface || opening || recalled === run) return;
+    recalled = run;
+    client.send({ type: 'recall', run });
+  }
+
   return (action, before, after) => {
     const tried = action?.type === 'retryPressed';
     if (tried && before?.session.phase.name === 'unavailable') client.restart();
     open(before, after);
+    recall(after);
     follow(formatStudioAddress(addressOf(after)));
     const { run, wanted } = after.session;
     if (wanted && (tried || wanted !== before?.session.wanted)) load(wanted);

@@ -93,7 +93,7 @@ export function createOpenDocument(begun, { connect, save, takePicture, load, se
       if (isBusy(state)) return false;
       client?.dispose();
       client = null;
-      state = withView(state, { surface: null });
+      state = withView(state, { surface: null, start: null });
       return true;
     },
 

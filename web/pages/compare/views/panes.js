@@ -3,7 +3,7 @@
  * @file The surfaces side by side, each below the menus that choose it, on one canvas with one camera.
  */
 import { FEWEST, MOST, entryName } from '../../../address/compare.js';
-import { quantityOf } from '../../../colour/quantities.js';
+import { patternOf, quantityOf } from '../../../colour/quantities.js';
 import { catalogAddress } from '../../../files/catalog.js';
 import { drawing } from '../../../scene/drawing.js';
 import { createPanes } from '../../../scene/panes.js';
@@ -13,7 +13,7 @@ import { columnWords, shapeTitle } from '../../../words/entries.js';
 
 /** @import {Camera} from '../../../address/camera.js' */
 /** @import {EntryName} from '../../../address/compare.js' */
-/** @import {Quantity} from '../../../colour/quantities.js' */
+/** @import {Pattern, Quantity} from '../../../colour/quantities.js' */
 /** @import {Range} from '../../../colour/range.js' */
 /** @import {Catalog} from '../../../files/catalog.js' */
 /** @import {Action, State} from '../types.js' */
@@ -49,8 +49,11 @@ export function createPanesView(root, dispatch) {
     );
   });
   const shade = whenChanged(
-    (/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range, /** @type {boolean} */ striped) =>
-      scene?.shade(quantity, range, striped),
+    (
+      /** @type {Quantity | null} */ quantity,
+      /** @type {Range | null} */ range,
+      /** @type {Pattern | null} */ pattern,
+    ) => scene?.shade({ quantity, range, pattern }),
   );
   const fit = whenChanged((/** @type {number} */ fits) => fits && scene?.fit());
 
@@ -63,7 +66,7 @@ export function createPanesView(root, dispatch) {
       panes.forEach((pane, i) => pane.update(state, state.entries[i] ?? null));
       setCamera(state.camera);
       setSurfaces(state.entries, state.surfaces);
-      shade(quantityOf(state.shading), range, state.shading === 'stripes');
+      shade(quantityOf(state.shading), range, patternOf(state.shading));
       fit(state.fits);
     },
 

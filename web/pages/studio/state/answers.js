@@ -50,6 +50,10 @@ function afterRunMessage(state, message) {
   switch (message.type) {
     case 'surfaced':
       return afterSurfaced(state, message, evaluations);
+    case 'recalled': {
+      const { run, limit, density, cage } = message;
+      return withView(state, { start: { run, limit, density, cage } });
+    }
     case 'measured': {
       const { energies, level } = message;
       const kept = known && result.latest?.evaluations === evaluations ? result.latest : null;
@@ -121,11 +125,11 @@ const withoutCertifying = (state) =>
 /** @param {State} state @param {Surfaced} message @param {number} evaluations @returns {State} */
 function afterSurfaced(state, message, evaluations) {
   const { surface, fits, fitDue } = state.view;
-  const { patches, deviations = null, coarse = false } = message;
+  const { density, patches, deviations = null, coarse = false } = message;
   const limit = withTopology(message.limit, surface?.limit);
   const control = withTopology(message.control, surface?.control);
   return withView(state, {
-    surface: { limit, control, patches, deviations, evaluations },
+    surface: { limit, density, control, patches, deviations, evaluations },
     coarse,
     fits: fits + (fitDue ? 1 : 0),
     fitDue: false,

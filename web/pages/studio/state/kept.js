@@ -6,19 +6,35 @@ import { hasMoved } from './restore.js';
 
 /** @import {Document, History, Phase, State, View} from './types.js' */
 
+/** What is kept of how the surface was looked at. */
+const KEPT_VIEW = /** @type {const} */ ([
+  'shading',
+  'pinned',
+  'isolines',
+  'cage',
+  'original',
+  'patches',
+  'camera',
+  'projection',
+]);
+
+/** @typedef {Pick<View, typeof KEPT_VIEW[number]>} KeptView */
+
 /**
- * Plain data. `view` is how the surface was looked at.
+ * Plain data. `view` is how the surface was looked at; what is missing there was not known when it was kept.
  * @typedef {object} Kept
  * @property {Document} document
  * @property {History} history
  * @property {Phase['name']} phase
- * @property {Pick<View, 'shading' | 'cage' | 'camera'>} view
+ * @property {Partial<KeptView>} view
  */
+
+/** @param {View} view @returns {KeptView} */
+const pick = (view) => /** @type {KeptView} */ (Object.fromEntries(KEPT_VIEW.map((name) => [name, view[name]])));
 
 /** @param {State} state @returns {Kept} */
 export function keptFrom({ document, history, session, view }) {
-  const { shading, cage, camera } = view;
-  return { document, history, phase: session.phase.name, view: { shading, cage, camera } };
+  return { document, history, phase: session.phase.name, view: pick(view) };
 }
 
 /**
@@ -56,6 +72,4 @@ export const keepsOther = (before, after) =>
   before.document !== after.document ||
   before.history !== after.history ||
   before.session.phase.name !== after.session.phase.name ||
-  before.view.camera !== after.view.camera ||
-  before.view.shading !== after.view.shading ||
-  before.view.cage !== after.view.cage;
+  KEPT_VIEW.some((name) => before.view[name] !== after.view[name]);

@@ -10,6 +10,7 @@ import { noHistory, redone, remembered, undone } from './history.js';
 import { afterHold, holdIsUsable, holdsTheSame, keptOf } from './hold.js';
 import { afterLoss } from './lost.js';
 import { followed, takesWeights } from './following.js';
+import { alongAxis, looked } from './looking.js';
 import { beginOpening, firstGenerator, openGenerated, openPreview } from './opening.js';
 import {
   askedOf,
@@ -63,11 +64,19 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
     view: {
       shading: address.shading,
       cage: false,
+      original: false,
+      patches: false,
+      isolines: false,
+      pinned: null,
       camera: address.camera,
+      returnTo: null,
+      projection: 'perspective',
       theme,
       pointer: 'turn',
       boundary: null,
       surface: null,
+      before: false,
+      start: null,
       coarse: false,
       fits: 0,
       fitDue: false,
@@ -244,7 +253,9 @@ function changed(state, action) {
     case 'againPressed':
       return again(state);
     case 'viewChanged':
-      return withView(state, action.change);
+      return withView(state, looked(action.change));
+    case 'axisPressed':
+      return withView(state, alongAxis(view, action.axis));
     case 'fitPressed':
       return withView(state, { fits: view.fits + 1 });
     case 'surfaceDrawn':

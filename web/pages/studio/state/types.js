@@ -6,7 +6,7 @@
 /** @import {BoundaryCondition, CageReport, CapName, CertificateReport, Constraints, ConstraintsReport, Energies} from '../../../../wasm/types.js' */
 /** @import {FaceGroup, Fill, FunctionalName} from '../../../../wasm/types.js' */
 /** @import {GeneratedCage, Group, LevelReport, Limit, Mesh, Progress, Report, StopReason, SurfaceState, Targets} from '../../../../wasm/types.js' */
-/** @import {Camera} from '../../../address/camera.js' */
+/** @import {AxisView, Camera, Projection} from '../../../address/camera.js' */
 /** @import {EntryName} from '../../../address/compare.js' */
 /** @import {Shading} from '../../../colour/quantities.js' */
 /** @import {CatalogEntry} from '../../../files/catalog.js' */
@@ -82,11 +82,13 @@
 /** Energies of a surface of this level. @typedef {{energies: Energies, evaluations: number, level: number}} Measurement */
 
 /**
- * The surface on the screen. `patches` has its evaluated mesh; `deviations` has the distance of each vertex of the limit mesh from the cage's own surface; null
- * unless it is shown.
- * @typedef {{limit: Mesh, control: Mesh, patches: number, deviations: Float32Array | null,
- *   evaluations: number}} Surface
+ * The surface on the screen. `density` counts the quads along each edge of a patch of its limit mesh, and `patches` has its
+ * evaluated mesh. `deviations` has the distance of each vertex of the limit mesh from the cage's own surface; null unless it is
+ * shown.
+ * @typedef {{limit: Mesh, density: number, control: Mesh, patches: number, deviations: Float32Array | null, evaluations: number}} Surface
  */
+
+/** Where a run began: the limit mesh of the cage's own surface, and the cage. @typedef {{run: number, limit: Mesh, density: number, cage: Mesh}} Start */
 
 /** A copy of the surface, in case the worker is lost. @typedef {{state: SurfaceState, evaluations: number}} SavedSurface */
 
@@ -168,11 +170,19 @@
  * @typedef {object} View
  * @property {Shading} shading
  * @property {boolean} cage whether the control cage is shown
+ * @property {boolean} original whether the cage is shown that the surface began from
+ * @property {boolean} patches whether the edges of the patches are shown
+ * @property {{shading: Shading, low: number, high: number} | null} pinned the range of the colours of one shading, if it is to stay
+ * @property {boolean} isolines whether the quantity that colours the surface has isolines
  * @property {Camera} camera
+ * @property {Camera | null} returnTo the camera before it looked along an axis; null once it was turned otherwise
+ * @property {Projection} projection
  * @property {'light' | 'dark' | 'system'} theme
  * @property {Pointer} pointer
  * @property {number | null} boundary the number of the one that is marked on the surface
  * @property {Surface | null} surface
+ * @property {boolean} before whether the cage's own surface is shown in the place of the surface
+ * @property {Start | null} start of the run that was asked last
  * @property {boolean} coarse whether to ask for a finer surface once this one has been drawn
  * @property {number} fits how often the user asked to fit the surface into the view
  * @property {boolean} fitDue whether the next surface belongs to a new cage
@@ -234,6 +244,7 @@
  *   | {type: 'againPressed'}
  *   | {type: 'viewChanged', change: Partial<View>}
  *   | {type: 'fitPressed'}
+ *   | {type: 'axisPressed', axis: AxisView}
  *   | {type: 'surfaceDrawn'}
  *   | {type: 'downloadPressed', what: Download, options?: DownloadOptions}
  *   | {type: 'pictureTaken', failure: string | null}

@@ -37,7 +37,11 @@ export async function takePicture(shown, create, { state, range, dark }, { size,
     visibility: 'hidden',
   });
   document.body.append(root);
-  const view = create(root, () => {});
+  const view = create(
+    root,
+    () => {},
+    () => {},
+  );
   try {
     const taken = capture(root, width, height, background ? colourBehind(shown) : null);
     view.update(state, range, dark);

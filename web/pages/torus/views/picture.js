@@ -3,7 +3,7 @@
  * @file The picture of the torus that minimizes the blend, coloured by curvature; if the browser cannot draw it, its
  * cross-section.
  */
-import { quantityOf } from '../../../colour/quantities.js';
+import { patternOf, quantityOf } from '../../../colour/quantities.js';
 import { drawing } from '../../../scene/drawing.js';
 import { createScene } from '../../../scene/scene.js';
 import { find, whenChanged } from '../../../views/dom.js';
@@ -15,7 +15,7 @@ import { torusMesh } from '../mesh.js';
 
 /** @import {Mesh} from '../../../../wasm/types.js' */
 /** @import {Camera} from '../../../address/camera.js' */
-/** @import {Quantity, Shading} from '../../../colour/quantities.js' */
+/** @import {Pattern, Quantity, Shading} from '../../../colour/quantities.js' */
 /** @import {Range} from '../../../colour/range.js' */
 /** @import {Action, State} from '../types.js' */
 
@@ -51,11 +51,10 @@ export function createPictureView(root, dispatch) {
   const fitPressed = () => dispatch({ type: 'fitPressed' });
   listenToKeys(canvas, scene?.controls, fitPressed, listening.signal);
   find(root, '#fit').addEventListener('click', fitPressed, { signal: listening.signal });
-  const legend = createLegendView(
-    find(root, '#legend'),
-    (/** @type {Shading} */ shading) => dispatch({ type: 'shadingChosen', shading }),
-    () => '1 on a sphere of equal area',
-  );
+  const legend = createLegendView(find(root, '#legend'), {
+    choose: (/** @type {Shading} */ shading) => dispatch({ type: 'shadingChosen', shading }),
+    unit: () => '1 on a sphere of equal area',
+  });
   scene?.setUp('z');
 
   /** @type {Mesh | null} */
@@ -67,8 +66,11 @@ export function createPictureView(root, dispatch) {
   });
   const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
   const shade = whenChanged(
-    (/** @type {Quantity | null} */ quantity, /** @type {Range | null} */ range, /** @type {boolean} */ striped) =>
-      scene?.shade(quantity, range, striped),
+    (
+      /** @type {Quantity | null} */ quantity,
+      /** @type {Range | null} */ range,
+      /** @type {Pattern | null} */ pattern,
+    ) => scene?.shade({ quantity, range, pattern }),
   );
   const fit = whenChanged((/** @type {number} */ fits) => fits && scene?.fit());
 
@@ -77,8 +79,8 @@ export function createPictureView(root, dispatch) {
     update({ least, camera, shading, fits }) {
       setCamera(camera);
       if (least) setRatio(drawnRatio(least.minimizer.ratio));
-      const range = legend.update({ shading, curvatures: mesh ? [mesh.curvatures] : [], occasion: '' });
-      shade(quantityOf(shading), range, shading === 'stripes');
+      const range = legend.update({ shading, curvatures: mesh ? [mesh.curvatures] : [], mesh, occasion: '' });
+      shade(quantityOf(shading), range, patternOf(shading));
       fit(fits);
     },
     dispose() {

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What a legend shows: how values are spread over the area of a torus, ranges that are given, and numbers that do not
+ * overlap.
+ */
+import { describe, expect, test } from '@jest/globals';
+import { histogram, valuesOf, vertexAreas } from '../../web/colour/histogram.js';
+import { deviation, quantityOf } from '../../web/colour/quantities.js';
+import { givenRange, middleOf, problemOfRange } from '../../web/colour/range.js';
+import { labelsWithRoom } from '../../web/colour/ticks.js';
+import { torusMesh } from '../../web/pages/torus/mesh.js';
+
+/** @param {import('../../web/colour/quantities.js').Shading} shading */
+function quantity(shading) {
+  const found = quantityOf(shading);
+  if (!found) throw new Error(`there is no quantity ${shading}`);
+  return found;
+}
+
+describe('the values on a torus with radii 1 and 0.4, up to a factor', () => {
+  const ratio = 0.4;
+  const mesh = torusMesh(ratio);
+  const areas = vertexAreas(mesh.positions, mesh.triangles);
+  const gauss = valuesOf(quantity('gaussian'), mesh.curvatures, null);
+  /** @param {number} low @param {number} high @param {number} steps */
+  const spread = (low, high, steps) => {
+    const found = histogram(gauss, areas, { low, high }, steps);
+    if (!found) throw new Error('nothing has a value');
+    return found;
+  };
+
+  test('belong to its whole area, that of the unit sphere', () => {
+    expect(areas.reduce((sum, area) => sum + area, 0) / (4 * Math.PI)).toBeCloseTo(1, 2);
+  });
+
+  test('have a negative Gaussian curvature on 1/2 − r/πR of it', () => {
+    const { below, above, shares } = spread(0, 1e9, 4);
+    expect(below).toBeCloseTo(0.5 - ratio / Math.PI, 2);
+    expect(above).toBe(0);
+    expect(below + shares.reduce((sum, share) => sum + share, 0)).toBeCloseTo(1, 12);
+  });
+
+  test('are counted by area, not by vertices, in equal steps of the range', () => {
+    // K = cos t / (r (R + r cos t)), and the area below an angle t from the inside grows by R + r cos t.
+    const [inner, outer] = [gauss.reduce((a, b) => Math.min(a, b)), gauss.reduce((a, b) => Math.max(a, b))];
+    const { shares } = spread(inner, outer, 2);
+    const scale = outer * ratio * (1 + ratio); // 1 / (size of the torus)²
+    const middle = ((inner + outer) / 2 / scale) * ratio;
+    const cosine = middle / (1 - middle * ratio);
+    const t = Math.acos(cosine);
+    expect(shares[1]).toBeCloseTo((t + ratio * Math.sin(t)) / Math.PI, 1);
+    expect(shares[0] + shares[1]).toBeCloseTo(1, 12);
+  });
+
+  test('are those of the deviation where that is the quantity, and do not count where there are none', () => {
+    const deviations = new Float32Array(areas.length).fill(NaN);
+    expect(histogram(valuesOf(deviation, mesh.curvatures, deviations), areas, { low: -1, high: 1 }, 3)).toBeNull();
+    deviations[7] = 0.9;
+    expect([...(histogram(deviations, areas, { low: -1, high: 1 }, 3)?.shares ?? [])]).toEqual([0, 0, 1]);
+    expect(valuesOf(deviation, mesh.curvatures, null).every(Number.isNaN)).toBe(true);
+  });
+});
+
+describe('a range that is given', () => {
+  test.each([
+    [-0.5, 4, [-0.5, 0, 2, 4]],
+    [0.91, 1.13, [0.91, 1, 1.1, 1.13]],
+    [-3, 3, [-3, -2, 0, 2, 3]],
+  ])('from %d to %d keeps its ends, with round numbers between them', (low, high, ticks) => {
+    expect(givenRange(low, high)).toEqual({ low, high, ticks });
+  });
+
+  test('has the middle of its colours at 0 if that is inside and the quantity has a sign', () => {
+    expect(middleOf(true, { low: -1, high: 3 })).toBe(0);
+    expect(middleOf(false, { low: -1, high: 3 })).toBe(1);
+    expect(middleOf(true, { low: 1, high: 3 })).toBe(2);
+  });
+
+  test('is refused where it is no range', () => {
+    expect(problemOfRange(1, 2)).toBeNull();
+    expect(problemOfRange(NaN, 2)).toMatch('numbers');
+    expect(problemOfRange(2, 2)).toMatch('less');
+    expect(problemOfRange(1, 1 + 1e-15)).toMatch('less');
+  });
+});
+
+describe('the numbers of a legend', () => {
+  test('that have no room are left out, the ends last', () => {
+    const at = [0, 0.25, 0.5, 0.75, 1];
+    expect(labelsWithRoom(at, [20, 20, 20, 20, 20], 248, 6)).toEqual([true, true, true, true, true]);
+    expect(labelsWithRoom(at, [60, 60, 60, 60, 60], 248, 6)).toEqual([true, false, true, false, true]);
+    expect(labelsWithRoom(at, [130, 130, 130, 130, 130], 248, 6)).toEqual([true, false, false, false, false]);
+    expect(labelsWithRoom([0, 0.02, 1], [20, 10, 20], 248, 6)).toEqual([true, false, true]);
+    expect(labelsWithRoom([], [], 248, 6)).toEqual([]);
+  });
+});

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+/**
+ * @file What is under a point of the picture. Points of the picture go from 0 at the left to 1 at the right, and from 0 at
+ * the top to 1 at the bottom.
+ */
+import { Raycaster, Vector2 } from 'three';
+import { boxesOf } from './boxes.js';
+import { nearestVertex, pick } from './pick.js';
+import { readingAt } from './reading.js';
+
+/** @import {Camera, Object3D} from 'three' */
+/** @import {Mesh} from '../../wasm/types.js' */
+/** @import {Reading} from './reading.js' */
+
+/**
+ * @param {Object3D} surface drawn with the mesh's own coordinates
+ * @param {() => Camera} camera
+ */
+export function createPointing(surface, camera) {
+  const ray = new Raycaster();
+  /** @type {Mesh | null} */
+  let mesh = null;
+  /** @type {Float32Array | null} */
+  let deviations = null;
+  /** Of the mesh, once they are needed. @type {Float64Array | null} */
+  let boxes = null;
+
+  /** @param {number} x @param {number} y */
+  function hit(x, y) {
+    if (!mesh) return null;
+    surface.updateWorldMatrix(true, false);
+    camera().updateWorldMatrix(true, false);
+    ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), camera());
+    ray.ray.applyMatrix4(surface.matrixWorld.clone().invert());
+    boxes ??= boxesOf(mesh);
+    return pick(mesh, ray.ray.origin.toArray(), ray.ray.direction.toArray(), boxes);
+  }
+
+  return {
+    /** @param {Mesh} next @param {Float32Array | null} [distances] of each vertex from the cage's own surface */
+    set(next, distances = null) {
+      mesh = next;
+      deviations = distances;
+      boxes = null;
+    },
+
+    /**
+     * @param {number} x
+     * @param {number} y
+     * @param {number} vertices of the cage
+     * @returns {{face: number, vertex: number} | null} the face of the cage, and its vertex nearest to the point, from 0
+     */
+    cell(x, y, vertices) {
+      const found = hit(x, y);
+      return found && mesh && { face: found.face, vertex: nearestVertex(mesh, found, vertices) };
+    },
+
+    /** @param {number} x @param {number} y @returns {Reading | null} */
+    reading(x, y) {
+      const found = hit(x, y);
+      return found && mesh && readingAt(mesh, deviations, found);
+    },
+  };
+}
