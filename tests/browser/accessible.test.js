@@ -47,6 +47,7 @@ async function hold(page) {
   await page.getByRole('radio', { name: 'Pin', exact: true }).check();
   await page.getByRole('spinbutton', { name: 'Vertex' }).fill('1');
   await page.getByRole('button', { name: 'Pin it' }).click();
+  await page.locator('#show summary').click();
   await status(page, /^Ready/);
   await drawn(page);
 }
@@ -63,6 +64,8 @@ async function fillAndRefuse(page) {
   await page.getByRole('combobox', { name: 'What is held at boundary 1' }).selectOption('curvature');
   await page.locator('#boundaries .problem').filter({ hasText: 'curvature' }).waitFor();
   await page.locator('[name=shading]').selectOption('deviation');
+  await page.locator('#legend summary').click();
+  await page.locator('#camera summary').click();
   await drawn(page);
 }
 
