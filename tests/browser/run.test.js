@@ -304,6 +304,7 @@ describe('the worker', () => {
       .filter({ hasText: /Genus\s*7/ })
       .waitFor();
     await page.getByRole('switch', { name: 'Keep symmetry' }).uncheck(); // or the run would be over too soon
+    await page.locator('[name=functional]').selectOption('bending'); // whose metric is soon there
     for (const name of ['last', 'first']) await page.locator(`[name=${name}]`).selectOption('2');
     await measured(page);
     /** @type {number[]} */

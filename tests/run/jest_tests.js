@@ -9,7 +9,7 @@ import { expectSome } from './tally.js';
 
 /** @typedef {import('./tally.js').Tally} Tally */
 
-const minutesForOneRun = 15;
+const minutesForOneRun = 30;
 
 /**
  * @param {string} name of the report
