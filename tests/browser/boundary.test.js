@@ -193,8 +193,10 @@ describe('how far the surface may move', () => {
     expect(await page.locator('#energies').innerText()).toMatch(/Pulled to the cage’s own surface with weight [\d.]+/);
     expect(await page.locator('#legend figcaption').innerText()).toMatch(/along the normal .* in the file’s units$/);
     const ticks = await page.locator('#legend .ticks span').allInnerTexts();
-    expect(Number(ticks[4])).toBeLessThanOrEqual(0.06);
-    expect(ticks[0]).toBe(`−${ticks[4]}`);
+    const end = ticks[ticks.length - 1];
+    expect(ticks.length).toBeGreaterThanOrEqual(3);
+    expect(Number(end)).toBeLessThanOrEqual(0.06);
+    expect(ticks[0]).toBe(`−${end}`);
     expect((await look(page)).coloured).toBeGreaterThan(0.01);
     const [pin] = constraints.pins;
     const pull = parseFloat(await page.locator('#pins .pull').innerText());
