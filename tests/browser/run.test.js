@@ -158,7 +158,7 @@ describe('a user', () => {
     const mesh = Cage.read(limit.text);
     expect(mesh.counts.genus).toBe(3);
     expect(mesh.counts.faces % cage.counts.faces).toBe(0);
-    expect(mesh.counts.faces).toBeGreaterThan(10_000);
+    expect(mesh.counts.faces).toBeGreaterThan(7_500);
 
     const report = await download(page, 'report');
     expect(JSON.parse(report.text)).toMatchObject({
