@@ -179,7 +179,8 @@ TEST(OrbitCopies, of_a_boundary_keep_the_symmetry_and_must_not_meet_another_cond
   EXPECT_EQ(order(constraints), whole);
   const RefinedCage copied = *prepare(cylinder, 1, true, constraints);
   for (int h = 0; h < copied.mesh.surface_halfedge_count(); ++h) {
-    if (copied.mesh.is_boundary(h)) EXPECT_EQ(copied.boundary[h], BoundaryCondition::kPosition);
+    if (!copied.mesh.is_boundary(h)) continue;
+    EXPECT_EQ(copied.boundary[h], BoundaryCondition::kPosition);
   }
   constraints.boundary->loops.push_back({2, {}, {}, BoundaryCondition::kFree});
   EXPECT_EQ(
