@@ -20,6 +20,7 @@ beforeAll(async () => {
   ({ page, errors } = await openPage(served.browser, served.url, {
     reducedMotion: 'reduce',
     viewport: { width: 760, height: 520 }, // few pixels are drawn soon
+    bypassCSP: true, // pictures are taken with a style of their own
   }));
 }, 60_000);
 afterAll(() => page?.context().close());
@@ -256,7 +257,7 @@ describe('the cage’s own surface', () => {
     await page.locator('[name=shading]').selectOption('plain');
     await page.locator('#primary').click();
     await status(page, /^(Converged|Round-off)/, 60_000);
-    await page.locator('#downloads [name=control]:not([aria-disabled=true])').waitFor();
+    await page.locator('#downloads [name=save]:not([aria-disabled=true])').waitFor();
     const result = await rested();
 
     await page.locator('#surface canvas').focus();
