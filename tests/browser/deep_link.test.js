@@ -110,10 +110,7 @@ describe('an address that names an entry', () => {
   test('is drawn soon; prints how soon, which depends on the machine', async () => {
     /** @param {string} address @returns {Promise<number[]>} when its first picture was drawn, and shown */
     async function firstPicture(address) {
-      const { page } = await openAddress(served.browser, address, {}, async (fresh) => {
-        await recordFirstPicture(fresh);
-        await fresh.waitForTimeout(1500); // for what the browser does with a window of its own
-      });
+      const { page } = await openAddress(served.browser, address, {}, recordFirstPicture);
       await page.waitForFunction(() => document.documentElement.dataset.shown);
       const { pictured, shown } = await page.evaluate(() => ({ ...document.documentElement.dataset }));
       await page.context().close();
@@ -121,7 +118,7 @@ describe('an address that names an entry', () => {
     }
     /** @type {number[][]} */
     const times = [];
-    for (let i = 0; i < 5; i++)
+    for (let i = 0; i < 3; i++)
       times.push(await firstPicture(`${served.url}studio.html?shape=two-3&functional=mvs_cross`));
     // Measured last, when the browser has already used WebGL.
     const floor = await firstPicture(`data:text/html,${encodeURIComponent(leastPage)}`);

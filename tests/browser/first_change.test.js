@@ -12,11 +12,8 @@ import { servedPage } from './served.js';
 /** @typedef {import('./page.js').PageEvent} PageEvent */
 
 const served = servedPage();
-const openings = 3;
+const openings = 2;
 const text = readFileSync(new URL('../core/reference/g2.obj', import.meta.url), 'utf8');
-
-/** @param {number[]} values */
-const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
 /** @param {Page} page */
 async function dropCage(page) {
@@ -27,7 +24,7 @@ async function dropCage(page) {
 /** When the first moved surface arrived, and when it was drawn, after a button was pressed. @param {Page} page @param {string} button */
 async function firstChange(page, button) {
   await drawn(page);
-  await page.waitForTimeout(1500); // the worker prepares, as it does while a user looks at the page
+  await page.waitForTimeout(1000); // the worker prepares, as it does while a user looks at the page
   await page.locator(button).click();
   await page.waitForFunction(
     () => /** @type {any} */ (window).recordedEvents().some((/** @type {PageEvent} */ event) => event.name === 'drawn'),
@@ -66,9 +63,9 @@ test.each([
       times.push(await firstChange(page, button));
       await page.context().close();
     }
-    const [sent, shown] = [0, 1].map((i) => Math.round(median(times.map((pair) => pair[i]))));
+    const [sent, shown] = [0, 1].map((i) => Math.round(Math.max(...times.map((pair) => pair[i]))));
     console.log(
-      `After Start the first surface of ${name} that had moved was there after ${sent} ms and drawn after ${shown} ms (medians of ${openings} openings)`,
+      `After Start the first surface of ${name} that had moved was there after ${sent} ms and drawn after ${shown} ms (the slower of ${openings} openings)`,
     );
   },
   180_000,
