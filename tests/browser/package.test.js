@@ -3,6 +3,7 @@
  * @file Pages of others that use the package as the README says, without a bundler and built by Vite. Each minimizes in a
  * worker and shows the energy.
  */
+import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { example, installedPackage, output, root } from '../wasm/packed.js';
@@ -44,13 +45,14 @@ const vite = path.join(root, 'node_modules/vite/bin/vite.js');
 async function expectEnergy(address) {
   /** @type {string[]} */
   const said = [];
-  let bytes = 0;
+  /** Bytes of each file. @type {Map<string, number>} */
+  const loaded = new Map();
   /** @type {Array<Promise<void>>} */
   const sizes = [];
-  const { page, errors, requests } = await openAddress(browser, address, {}, async (opened) => {
+  const { page, errors } = await openAddress(browser, address, {}, async (opened) => {
     opened.on('console', (message) => said.push(message.text()));
     opened.context().on('response', (response) => {
-      sizes.push(response.body().then((body) => void (bytes += body.length)));
+      sizes.push(response.body().then((body) => void loaded.set(response.url(), body.length)));
     });
   });
   await page.locator('body').filter({ hasText: /\d/ }).waitFor();
@@ -58,7 +60,8 @@ async function expectEnergy(address) {
   expect(errors).toEqual([]);
   await Promise.all(sizes);
   await page.context().close();
-  console.log(`${path.basename(address)}: ${requests.length} files, ${Math.round(bytes / 1000)} kB`);
+  const bytes = [...loaded.values()].reduce((sum, size) => sum + size, 0);
+  console.log(`${path.basename(address)}: ${loaded.size} files, ${Math.round(bytes / 1000)} kB`);
   return said;
 }
 
@@ -75,10 +78,19 @@ test('a page without a bundler', async () => {
 });
 
 test('a page that Vite has built, under a path', async () => {
+  // The same once more, with the worker of which the README speaks.
+  const readme = readFileSync(path.join(root, 'README.md'), 'utf8');
+  const [worker] = /new Worker\(new URL\('umbilic\/worker', import\.meta\.url\).*?\)/.exec(readme) ?? [];
+  const again = `minimize(problem, { createWorker: () => ${worker} })`;
+  const main = example('js', "from 'umbilic/client';");
+  project.write(
+    'main.js',
+    main.replace('document', `console.log('own', (await ${again}).energies.bending);\ndocument`),
+  );
   output(process.execPath, [vite, 'build', '--base', './'], project.folder);
   const site = await serve(path.join(project.folder, 'dist'));
   try {
-    await expectEnergy(`${site.url}index.html`);
+    expect(await expectEnergy(`${site.url}index.html`)).toContain(`own ${energy}`);
   } finally {
     await site.close();
   }
