@@ -6,14 +6,10 @@
  */
 
 import createCore from '../build/wasm/umbilic-core.mjs';
+import { InputError, parse } from './values.js';
 
 /** @import {Core} from '../build/wasm/umbilic-core.mjs' */
 /** @import {Mesh} from './types.js' */
-
-/** Something is wrong with the user's cage or problem; `message` names the place. */
-export class InputError extends Error {
-  name = 'InputError';
-}
 
 /** UMBILIC_API_VERSION of the contract for which this file was written. */
 const API_VERSION = 3;
@@ -21,7 +17,15 @@ const API_VERSION = 3;
 /** Size of the buffer for a call's results; the largest is umbilic_mesh_arrays, nine words of 32 bits and three doubles. */
 const SCRATCH_BYTES = 128;
 
-const wasmUrl = new URL('../build/wasm/umbilic-core.wasm', import.meta.url);
+const ownWasmUrl = new URL('../build/wasm/umbilic-core.wasm', import.meta.url);
+
+/**
+ * Where the module comes from: one of these, or else the file umbilic-core.wasm of the package or the build folder.
+ * @typedef {object} LoadOptions
+ * @property {string | URL} [wasmUrl] address of a copy of that file; in Node also its path
+ * @property {ArrayBuffer | Uint8Array} [wasmBinary] its bytes
+ * @property {WebAssembly.Module} [module] its bytes, compiled; can be sent to workers
+ */
 
 /** @type {Core | null} */
 let loaded = null;
@@ -33,19 +37,45 @@ let broken = null;
 
 /**
  * Reads the binary in Node, where Emscripten's loader cannot fetch it.
- * @returns {Uint8Array | undefined} undefined in a browser
+ * @param {string | URL} wasmUrl
+ * @returns {Promise<ArrayBuffer | Uint8Array | undefined>} undefined in a browser
  */
-function readBinaryInNode() {
+async function readBinaryInNode(wasmUrl) {
   if (!globalThis.process?.versions?.node) return undefined;
   const { readFileSync } = process.getBuiltinModule('node:fs');
-  const { fileURLToPath } = process.getBuiltinModule('node:url');
-  return readFileSync(fileURLToPath(wasmUrl.href));
+  const url = URL.canParse(wasmUrl) ? new URL(wasmUrl) : null;
+  if (!url) return readFileSync(wasmUrl);
+  if (url.protocol === 'file:') return readFileSync(process.getBuiltinModule('node:url').fileURLToPath(url.href));
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url} answers ${response.status}`);
+  return response.arrayBuffer();
 }
 
-/** @param {{wasmBinary?: ArrayBuffer | Uint8Array}} options */
+/** @param {WebAssembly.Module} module @returns {Promise<Core>} */
+function createFromModule(module) {
+  return new Promise((resolve, reject) => {
+    createCore({
+      instantiateWasm(imports, receive) {
+        WebAssembly.instantiate(module, imports).then(receive).catch(reject);
+        return {};
+      },
+    }).then(resolve, reject);
+  });
+}
+
+/** @param {LoadOptions} options @returns {Promise<Core>} */
+async function create({ wasmUrl, wasmBinary, module }) {
+  const given = Object.entries({ wasmUrl, wasmBinary, module }).filter(([, value]) => value !== undefined);
+  if (given.length > 1) throw new TypeError(`load: ${given.map(([name]) => name).join(' and ')} are given, not one`);
+  if (module) return createFromModule(module);
+  const url = wasmUrl ?? ownWasmUrl;
+  const bytes = wasmBinary ?? (await readBinaryInNode(url));
+  return createCore(bytes ? { wasmBinary: bytes } : { locateFile: () => String(url) });
+}
+
+/** @param {LoadOptions} options */
 async function instantiate(options) {
-  const wasmBinary = options.wasmBinary ?? readBinaryInNode();
-  const made = await createCore(wasmBinary ? { wasmBinary } : { locateFile: () => wasmUrl.href });
+  const made = await create(options);
   const version = made._umbilic_api_version();
   if (version !== API_VERSION) throw new Error(`the module has version ${version} of the contract, not ${API_VERSION}`);
   scratch = made._malloc(SCRATCH_BYTES) >>> 0;
@@ -53,9 +83,8 @@ async function instantiate(options) {
 }
 
 /**
- * Loads the module once; later calls return the same promise. In Node the binary is read from the build folder unless
- * it is passed.
- * @param {{wasmBinary?: ArrayBuffer | Uint8Array}} [options]
+ * Loads the module once; later calls return the same promise, unless it has failed.
+ * @param {LoadOptions} [options]
  * @returns {Promise<void>}
  */
 export function load(options = {}) {
@@ -156,13 +185,6 @@ export function textFrom(name, ...args) {
   const [pointer, length] = handedBack(2);
   return new TextDecoder().decode(core().HEAPU8.subarray(pointer, pointer + length));
 }
-
-/**
- * Parses JSON text of the core, in which null always stands for a number that is not finite.
- * @param {string} text
- * @returns {any}
- */
-export const parse = (text) => JSON.parse(text, (_, value) => (value === null ? NaN : value));
 
 /** The result of a call whose last argument receives JSON text. @param {string} name @param {...number} args @returns {any} */
 export const valueFrom = (name, ...args) => parse(textFrom(name, ...args));

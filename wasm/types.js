@@ -8,10 +8,8 @@
 /** @typedef {'none'|'flat'|'smooth'} CapName */
 /** @typedef {'auto'|'identity'|'sobolev'|'hessian'|'newton'} MetricName */
 /** @typedef {'prepare'|'minimize'|'report'|'done'} Phase */
-/**
- * @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'|
- *   'below_bound'|'not_resolved'} StopReason
- */
+// In one line, because tsc copies a union's line breaks, with their asterisks, into declarations.
+/** @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'|'below_bound'|'not_resolved'} StopReason */
 
 /* ---- problems ---- */
 

@@ -3,7 +3,7 @@
  * @file The JavaScript API of the core, for the browser, workers and Node. Problems and reports are objects with the
  * names of their text form; see types.js.
  *
- *     import { Minimizer, load } from './wasm/umbilic.js';
+ *     import { Minimizer, load } from 'umbilic'; // in this project './wasm/umbilic.js'
  *     await load();
  *     const minimizer = new Minimizer({
  *       cage: { generator: 'two-3' },
@@ -16,13 +16,11 @@
  */
 
 import {
-  InputError,
   call,
   copyMesh,
   destroy,
   meshObj,
   numberFrom,
-  parse,
   stateOf,
   stringFrom,
   textFrom,
@@ -32,13 +30,18 @@ import {
   withText,
   wordFrom,
 } from './memory.js';
+import { InputError, parse } from './values.js';
 
 /**
  * @import {CageInput, CageReport, CertificateReport, Energies, FaceGroup, FunctionalName, GeneratedCage, Group, LevelReport, Limit,
  * Mesh, Problem, Progress, Report, Targets, Terms, TorusMinimizer} from './types.js'
  */
 
-export { InputError, load } from './memory.js';
+export { load } from './memory.js';
+export * from './types.js';
+export { InputError } from './values.js';
+
+/** @typedef {import('./memory.js').LoadOptions} LoadOptions */
 
 /** The values of umbilic_part in api.h. */
 const PARTS = { progress: 0, problem: 1, cage: 2, group: 3, levels: 4, limit: 5, energies: 6, groups: 7, held: 8 };

@@ -34,7 +34,7 @@ function walk(node, visit) {
  * @param {string} text
  * @returns {string[]}
  */
-function imports(file, text) {
+export function imports(file, text) {
   /** @type {string[]} */
   const found = [];
   walk(parseAst(text), (node) => {
@@ -62,7 +62,7 @@ export function memoryAccess(files) {
       if (node.type === 'Identifier' && /^(HEAPU?(8|16|32|64)|HEAPF(32|64)|WebAssembly)$/.test(node.name)) {
         problems.push(`${file} uses ${node.name}`);
       }
-      if (node.type === 'Literal' && /umbilic-core\.mjs$/.test(String(node.value)))
+      if (node.type === 'Literal' && /umbilic-core\.(mjs|wasm)$/.test(String(node.value)))
         problems.push(`${file} names ${node.value}`);
     });
     return problems;

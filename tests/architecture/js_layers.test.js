@@ -22,6 +22,7 @@ describe('the checks fail on', () => {
     ['core.HEAPF64[0];', 'web/a.js uses HEAPF64'],
     ['new WebAssembly.Memory({ initial: 1 });', 'web/a.js uses WebAssembly'],
     ["import core from '../build/wasm/umbilic-core.mjs';", 'web/a.js names ../build/wasm/umbilic-core.mjs'],
+    ["new URL('../build/wasm/umbilic-core.wasm', import.meta.url);", 'web/a.js names ../build/wasm/umbilic-core.wasm'],
   ])('%s outside the file that owns the memory', (text, problem) => {
     expect(memoryAccess(new Map([['web/a.js', text]]))).toEqual([problem]);
     expect(memoryAccess(new Map([['wasm/memory.js', text]]))).toEqual([]);

@@ -1,33 +1,34 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Builds parts of the project into build/: `node tests/run/build.js native sanitize wasm web`.
+ * @file Builds parts of the project into build/: `node tests/run/build.js native sanitize wasm types web`.
  */
-import { existsSync, readdirSync, statSync } from 'node:fs';
+import { existsSync, readdirSync, rmSync, statSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { installPackages, installTools } from './install.js';
 import { output, root, run } from './process.js';
 
-/** @typedef {'native' | 'sanitize' | 'wasm' | 'web'} Part */
+/** @typedef {'native' | 'sanitize' | 'wasm' | 'types' | 'web'} Part */
 
 /** The parts in the order in which they are built, and what must be installed for each. @type {Record<Part, import('./install.js').Need[]>} */
-export const parts = { native: ['native'], wasm: ['wasm'], web: [], sanitize: ['native'] };
+export const parts = { native: ['native'], wasm: ['wasm'], types: [], web: [], sanitize: ['native'] };
 
 /**
  * The folder of build/ for a part. The sanitized tests share the objects of the native ones.
- * @param {Exclude<Part, 'web'>} part
+ * @param {Exclude<Part, 'types' | 'web'>} part
  */
 const folderOf = (part) => (part === 'sanitize' ? 'native' : part);
 
 /**
- * Builds one part and continues after a target fails. The page needs the WebAssembly module.
+ * Builds one part and continues after a target fails. The page and the types need the WebAssembly module.
  * @param {Part} part
  * @param {...string} targets by default all
  * @returns {Promise<boolean>} whether all of it was built
  */
 export async function build(part, ...targets) {
   if (part === 'web') return buildPage();
+  if (part === 'types') return buildTypes();
   const folder = folderOf(part);
   if (!existsSync(path.join(root, 'build', folder, 'build.ninja')) && !(await configure(folder))) return false;
   if (part === 'sanitize' && !targets.length) targets = ['umbilic_sanitized_tests'];
@@ -54,6 +55,13 @@ export async function configure(part) {
 function emscriptenToolchain() {
   const folder = output('em-config', ['EMSCRIPTEN_ROOT'])?.trim() ?? '/usr/share/emscripten';
   return path.join(folder, 'cmake/Modules/Platform/Emscripten.cmake');
+}
+
+/** Writes the type declarations of the package from the JSDoc of its modules. */
+async function buildTypes() {
+  rmSync(path.join(root, 'build/types'), { recursive: true, force: true });
+  const tsc = ['node_modules/typescript/bin/tsc', '--project', 'wasm/tsconfig.types.json'];
+  return (await run(process.execPath, tsc)) === 0;
 }
 
 /** Builds the page, unless it is newer than all its sources. */

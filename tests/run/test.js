@@ -24,10 +24,10 @@ const suites = {
   native: { parts: ['native'], run: () => runCppTests('native') },
   sanitize: { parts: ['sanitize'], run: () => runCppTests('sanitize') },
   javascript: {
-    parts: ['native', 'wasm'],
+    parts: ['native', 'wasm', 'types'],
     run: () => runJestTests('javascript', ['tests/cli', 'tests/wasm', 'tests/web']),
   },
-  browser: { parts: ['wasm', 'web'], run: () => runJestTests('browser', ['tests/browser'], ['--runInBand']) },
+  browser: { parts: ['wasm', 'types', 'web'], run: () => runJestTests('browser', ['tests/browser'], ['--runInBand']) },
 };
 
 async function runGates() {

@@ -70,7 +70,7 @@ export function createPreparing({ core, yieldThen }) {
      * @param {Problem | string} problem @returns {Minimizer} @throws {import('../../wasm/umbilic.js').InputError}
      */
     take(problem) {
-      const generated = typeof problem !== 'string' && 'generator' in problem.cage && !problem.start;
+      const generated = typeof problem !== 'string' && 'generator' in Object(problem?.cage) && !problem.start;
       if (expected && generated && expected.key === JSON.stringify(problem)) {
         const { minimizer } = expected;
         expected = null;
