@@ -119,6 +119,8 @@ Result<std::optional<Certificate>> certify(const Run& run, const InterruptWatch&
 
 /// How often a run begins again from a lower surface that a certificate leads to.
 constexpr std::size_t kMostDescents = 8;
+/// A descent that gains less than this part of the energy is the last one.
+constexpr double kLeastGain = 1e-6;
 
 /// Writes all results, even if some of them fail.
 int write_results(const OptimizeArguments& arguments, const Ending& ending) {
@@ -161,6 +163,7 @@ std::string left_line(const Run& run, const CertificateReport& certificate) {
 /// `ending` tells the rest.
 int minimize_and_certify(const OptimizeArguments& arguments, const InterruptWatch& watch, ProblemRun& run,
                          Ending& ending) {
+  double energy_before = 0;
   while (true) {
     ending.certificate.reset();
     if (!minimize(run.run, watch, arguments.quiet)) return kInterrupted;
@@ -174,7 +177,14 @@ int minimize_and_certify(const OptimizeArguments& arguments, const InterruptWatc
     if (!arguments.descend || ending.left.size() == kMostDescents) return kEnded;
     Problem lower = run.problem;
     lower.start = (*certificate)->descent();
-    if (!lower.start) return kEnded;
+    const double energy = run.run.result().energy_reported;
+    const bool stays = !ending.left.empty() && energy >= (1 - kLeastGain) * energy_before;
+    if (!lower.start || stays) {
+      if (ending.certificate->negative > 0)
+        ending.left.push_back("no surface that is clearly lower was found along the directions of its certificate\n");
+      return kEnded;
+    }
+    energy_before = energy;
     Result<ProblemRun> next = begin_run(std::move(lower));
     if (!next) return fail(kBadInput, next.error().message);
     ending.left.push_back(left_line(run.run, *ending.certificate));
