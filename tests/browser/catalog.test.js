@@ -242,6 +242,7 @@ describe('an entry', () => {
     const { page } = await openCatalog('?entry=torus.bending');
     await page.getByRole('dialog', { name: 'Torus' }).waitFor();
     await page.getByRole('button', { name: 'Close' }).click();
+    await page.waitForFunction(() => location.search === ''); // now the dialog has given the focus back
     const button = cell(page, 'cube-frame', 'bending').getByRole('button', { name: /^Details/ });
     await button.focus();
     await page.keyboard.press('Enter');
