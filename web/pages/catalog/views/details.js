@@ -34,7 +34,8 @@ const sentence = (words) => capitalized(typeset(words)).replace(/\.?$/, '.');
  */
 export function createDetailsView(dialog, dispatch) {
   const content = find(dialog, '.content');
-  dialog.addEventListener('close', () => dispatch({ type: 'entryClosed' }));
+  // The event comes later, when another entry may be open already.
+  dialog.addEventListener('close', () => !dialog.open && dispatch({ type: 'entryClosed' }));
   dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
   find(dialog, '.close').addEventListener('click', () => dialog.close());
 
