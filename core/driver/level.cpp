@@ -58,7 +58,7 @@ MetricChoice choose(const LevelOptions& options, const Surface& surface, int unk
   if (options.metric != MetricChoice::kAutomatic) return options.metric;
   const int order = surface.symmetry().order;
   const int most = third_order(options.weights) ? kMostHessianUnknowns : order > 1 ? 2000 : 0;
-  if (unknowns > most) return MetricChoice::kSobolev;
+  if (unknowns == 0 || unknowns > most) return MetricChoice::kSobolev;
   return order > 1 ? MetricChoice::kHessian : MetricChoice::kNewton;
 }
 
