@@ -10,11 +10,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 #include "driver/accuracy.h"
 #include "driver/closeness_search.h"
 #include "driver/constraints_report.h"
+#include "driver/ended_level.h"
 #include "driver/equations.h"
 #include "driver/extrapolate.h"
 #include "driver/level.h"
@@ -28,22 +28,6 @@
 namespace umbilic {
 
 struct Run::State {
-  /// A level that has ended, with what ranks it among the others.
-  struct EndedLevel {
-    std::unique_ptr<Level> level;
-    LevelReport report;
-    EnergyReport energies;
-
-    /// The less, the better a result it is. Energies that may be the surface's come before those that hide curvature,
-    /// and these before those that are below a bound; then the least one counts.
-    std::tuple<int, bool, double> rank() const {
-      const double energy = report.energy_reported;
-      if (!std::isfinite(energy) || !std::isfinite(energies.quadrature_error)) return {3, !report.evaluable, 0};
-      if (energies.below_bound) return {2, !report.evaluable, 0};
-      return {energies.resolved ? 0 : 1, !report.evaluable, energy};
-    }
-  };
-
   State(const RunOptions& asked, Constraints given, RefinedCage prepared)
       : options(asked), constraints(std::move(given)), cage(std::move(prepared)) {}
 

@@ -23,14 +23,13 @@ const blends = ({ functional }) => functional === 'blend';
 export const takesWeights = (state) =>
   isOpen(state) && blends(state.document.settings) && blends(state.document.result.settings);
 
-/** What is held, but for where the pins lie. @param {Settings} settings */
+/** What is held, but for where the pins lie. One that lies where the surface is holds all coordinates. @param {Settings} settings */
 function heldBeside({ constraints, fill }) {
-  const pins = constraints.pins?.map(({ at, ...pin }) => ({
+  const pins = constraints.pins?.map(({ at = [0, 0, 0], ...pin }) => ({
     ...pin,
-    free: at?.map((x) => !Number.isFinite(x)) ?? null,
+    free: at.map((x) => !Number.isFinite(x)),
   }));
-  // A pin that lies where the surface is holds all coordinates.
-  return JSON.stringify({ ...constraints, fill, pins }).replaceAll('"free":null', '"free":[false,false,false]');
+  return JSON.stringify({ ...constraints, fill, pins });
 }
 
 /** @param {unknown} one @param {unknown} other */
