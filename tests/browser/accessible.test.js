@@ -9,7 +9,7 @@ import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { readTexts } from './contrast.js';
 import { fish } from './fish.js';
-import { drawn, dropFile, measured, openAddress, screenshots, status } from './page.js';
+import { allPixels, drawn, dropFile, measured, openAddress, screenshots, status } from './page.js';
 import { plate } from './plate.js';
 import { servedPage } from './served.js';
 
@@ -135,6 +135,7 @@ describe.each(/** @type {const} */ (['light', 'dark']))('in %s', (colorScheme) =
       const { page } = await openAddress(served.browser, served.url + address, {
         colorScheme,
         reducedMotion: 'reduce',
+        ...allPixels,
       });
       await prepare(page);
       await page.screenshot({ path: path.join(screenshots, `${name.replaceAll(/\W+/g, '-')}-${colorScheme}.png`) });

@@ -7,7 +7,7 @@ import path from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { Minimizer, load } from '../../wasm/umbilic.js';
 import { fish } from './fish.js';
-import { downloadedText, dropFile, energies, look, openPage, screenshots, settled, status } from './page.js';
+import { allPixels, downloadedText, dropFile, energies, look, openPage, screenshots, settled, status } from './page.js';
 import { plate } from './plate.js';
 import { servedPage } from './served.js';
 
@@ -25,7 +25,7 @@ beforeAll(() => load());
  * @param {Partial<Problem>} [more]
  */
 async function openCage(name, text, more = {}) {
-  const opened = await openPage(served.browser, served.url, { reducedMotion: 'reduce' });
+  const opened = await openPage(served.browser, served.url, { reducedMotion: 'reduce', ...allPixels });
   const { page } = opened;
   const problem = { umbilic: 'problem', version: 1, cage: { name, text }, terms: { bending: 1 }, ...more };
   problem.options = { levels: [0, 0], ...more.options };

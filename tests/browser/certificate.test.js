@@ -5,7 +5,7 @@
  */
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { downloadedText, measured, openPage, screenshots, status } from './page.js';
+import { allPixels, downloadedText, measured, openPage, screenshots, status } from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -95,7 +95,7 @@ describe('the limit', () => {
 
 describe('a certificate', () => {
   test('is given by the keyboard, of a minimum and of what is one only within its symmetry, and is in the report', async () => {
-    const { page, errors } = await openPage(served.browser, served.url);
+    const { page, errors } = await openPage(served.browser, served.url, allPixels);
     expect(await certify(page).getAttribute('aria-disabled')).toBe('true');
     await page.locator('[name=last]').selectOption('1');
     await measured(page);

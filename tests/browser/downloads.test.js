@@ -5,7 +5,7 @@
  */
 import path from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { download, drawn, openPage, screenshots, status } from './page.js';
+import { allPixels, download, drawn, openPage, screenshots, status } from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -17,7 +17,7 @@ let page;
 let errors;
 
 beforeAll(async () => {
-  ({ page, errors } = await openPage(served.browser, served.url));
+  ({ page, errors } = await openPage(served.browser, served.url, allPixels));
   await page.locator('[name=functional]').selectOption('bending');
   await page.locator('[name=last]').selectOption('1');
   await page.locator('#primary').click();

@@ -7,7 +7,7 @@ import path from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { Minimizer, load } from '../../wasm/umbilic.js';
 import { fish } from './fish.js';
-import { downloadedText, dropFile, energies, look, openPage, screenshots, settled, status } from './page.js';
+import { allPixels, downloadedText, dropFile, energies, look, openPage, screenshots, settled, status } from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -22,7 +22,7 @@ beforeAll(() => load());
 
 /** Opens the studio with the fish. @param {import('playwright-core').BrowserContextOptions} [options] */
 async function openFish(options = {}) {
-  const opened = await openPage(served.browser, served.url, { reducedMotion: 'reduce', ...options });
+  const opened = await openPage(served.browser, served.url, { reducedMotion: 'reduce', ...allPixels, ...options });
   const { page } = opened;
   await dropFile(page, 'fish.obj', text);
   await page.locator('.facts').filter({ hasText: 'fish.obj' }).waitFor();

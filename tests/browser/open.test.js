@@ -5,7 +5,7 @@
  */
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { drawn, energies, evaluated, look, openPage, screenshots, status } from './page.js';
+import { allPixels, drawn, energies, evaluated, look, openPage, screenshots, status } from './page.js';
 import { servedPage } from './served.js';
 
 const served = servedPage();
@@ -36,7 +36,7 @@ describe('the page', () => {
   });
 
   test('shades by every quantity, by patterns, and plainly; the legend has numbers', async () => {
-    const { page } = await openPage(served.browser, served.url);
+    const { page } = await openPage(served.browser, served.url, allPixels);
     const pictures = new Set();
     for (const shading of [
       'mean',
@@ -137,8 +137,8 @@ describe('the page', () => {
 describe('a picture', () => {
   test.each(
     /** @type {Array<[string, import('playwright-core').BrowserContextOptions]>} */ ([
-      ['light', { colorScheme: 'light' }],
-      ['dark', { colorScheme: 'dark' }],
+      ['light', { colorScheme: 'light', ...allPixels }],
+      ['dark', { colorScheme: 'dark', ...allPixels }],
       ['phone', { colorScheme: 'light', viewport: { width: 390, height: 844 }, deviceScaleFactor: 2 }],
       ['phone-dark', { colorScheme: 'dark', viewport: { width: 390, height: 844 }, deviceScaleFactor: 2 }],
     ]),

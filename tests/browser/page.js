@@ -33,6 +33,12 @@ export async function openPage(browser, url, options = {}, prepare = async () =>
 }
 
 /**
+ * Options for tests that look at pixels, and for pictures that people look at. Other tests draw a quarter of the pixels:
+ * software that draws takes more time than the page.
+ */
+export const allPixels = { deviceScaleFactor: 1 };
+
+/**
  * Opens any page of the site.
  * @param {Browser} browser
  * @param {string} address
@@ -41,7 +47,8 @@ export async function openPage(browser, url, options = {}, prepare = async () =>
  * @returns {Promise<Watched>}
  */
 export async function openAddress(browser, address, options = {}, prepare = async () => {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const fewPixels = { deviceScaleFactor: 0.5 };
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...fewPixels, ...options });
   const page = await context.newPage();
   /** @type {string[]} */
   const errors = [];

@@ -5,7 +5,7 @@
 import path from 'node:path';
 import { beforeAll, expect, test } from '@jest/globals';
 import { Cage, load } from '../../wasm/umbilic.js';
-import { dropFile, energies, measured, openPage, screenshots, status } from './page.js';
+import { allPixels, dropFile, energies, measured, openPage, screenshots, status } from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -53,7 +53,11 @@ test('a file whose faces are turned inside out is said to be repaired', async ()
 test.each(/** @type {const} */ (['light', 'dark']))(
   'a flat double cover ends below the bound, with a warning (%s)',
   async (colorScheme) => {
-    const { page, errors } = await openPage(served.browser, served.url, { colorScheme, reducedMotion: 'reduce' });
+    const { page, errors } = await openPage(served.browser, served.url, {
+      colorScheme,
+      reducedMotion: 'reduce',
+      ...allPixels,
+    });
     const warning = page.locator('#energies .problem');
     expect(await warning.count()).toBe(0);
     await open(page, 'flat.obj', flatBox);
