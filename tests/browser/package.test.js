@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Pages of others that use the package as the README says, without a bundler and built by Vite. Each minimizes in a
+ * @file Pages of others that use the package as wasm/README.md says, without a bundler and built by Vite. Each minimizes in a
  * worker and shows the energy.
  */
-import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { example, installedPackage, output, root } from '../wasm/packed.js';
+import { example, guide, installedPackage, output, root } from '../wasm/packed.js';
 import { launchBrowser } from './browser.js';
 import { openAddress } from './page.js';
 import { serve } from './site.js';
@@ -78,9 +77,8 @@ test('a page without a bundler', async () => {
 });
 
 test('a page that Vite has built, under a path', async () => {
-  // The same once more, with the worker of which the README speaks.
-  const readme = readFileSync(path.join(root, 'README.md'), 'utf8');
-  const [worker] = /new Worker\(new URL\('umbilic\/worker', import\.meta\.url\).*?\)/.exec(readme) ?? [];
+  // The same once more, with the worker of which the guide speaks.
+  const [worker] = /new Worker\(new URL\('umbilic\/worker', import\.meta\.url\).*?\)/.exec(guide) ?? [];
   const again = `minimize(problem, { createWorker: () => ${worker} })`;
   const main = example('js', "from 'umbilic/client';");
   project.write(

@@ -2,7 +2,7 @@
 /**
  * @file `npm run bench`: builds the benchmark natively and for WebAssembly, runs the given subjects (`npm run bench --
  * shapes metrics`; by default all but the quadrature rules), prints their tables and writes build/bench.json. `npm run
- * bench -- readme` copies the last results into the README.
+ * bench -- readme` copies the last results into tests/bench/README.md.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -24,14 +24,14 @@ import { root } from './process.js';
  * @typedef {object} Subject
  * @property {() => any} measure
  * @property {(results: any) => Table[]} tables
- * @property {(results: any) => Table[]} summary for the README
+ * @property {(results: any) => Table[]} summary for its README
  */
 
 /** In the order of the tables. @type {Record<string, Subject>} */
 const subjects = { throughput, shapes, metrics, overhead, scaling, threads, evolver, quadrature };
 const byDefault = Object.keys(subjects).filter((name) => name !== 'quadrature');
 const results = path.join(root, 'build/bench.json');
-const readme = path.join(root, 'README.md');
+const readme = path.join(root, 'tests/bench/README.md');
 
 /** @returns {Record<string, any>} the results of all runs so far, by subject */
 const lastResults = () => (existsSync(results) ? JSON.parse(readFileSync(results, 'utf8')) : {});
@@ -66,5 +66,5 @@ for (const name of wanted.length ? wanted : byDefault) {
   writeFileSync(results, JSON.stringify({ ...lastResults(), [name]: measured }));
   console.error(`${name}: measured in ${((performance.now() - start) / 1000).toFixed(0)} s`);
 }
-console.log(`For the README (\`npm run bench -- readme\` puts it there):\n\n${summaries()}`);
+console.log(`For tests/bench/README.md (\`npm run bench -- readme\` puts it there):\n\n${summaries()}`);
 console.error(`All results: ${path.relative(process.cwd(), results)}`);

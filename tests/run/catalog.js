@@ -2,7 +2,7 @@
 /**
  * @file `npm run catalog`: builds the program and computes the missing parts of web/catalog (`-- --anew`: all parts).
  * `-- --check` computes everything again and compares. All options of `umbilic catalog` may follow. `npm run catalog --
- * readme` copies its tables into the README.
+ * readme` writes its tables to the README beside it.
  */
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -16,7 +16,7 @@ const folder = 'web/catalog';
 const args = process.argv.slice(2);
 
 if (args.join() === 'readme') {
-  const readme = path.join(root, 'README.md');
+  const readme = path.join(root, folder, 'README.md');
   const catalog = JSON.parse(readFileSync(path.join(root, folder, 'catalog.json'), 'utf8'));
   const text = replaceBetween(
     readFileSync(readme, 'utf8'),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file A project that has installed the package, for tests: `npm pack`, unpacked into the node_modules of a folder of its own,
- * and the examples of the README.
+ * and the examples of the page on JavaScript.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -22,14 +22,15 @@ export function output(command, args, folder) {
   return stdout;
 }
 
+/** What is said of the libraries. */
+export const guide = readFileSync(path.join(root, 'wasm/README.md'), 'utf8');
+
 /**
- * The code block of the README's part on JavaScript that contains a text.
+ * The code block of `guide` that contains a text.
  * @param {string} language @param {string} text
  */
 export function example(language, text) {
-  const readme = readFileSync(path.join(root, 'README.md'), 'utf8');
-  const part = /^### In JavaScript\n[\s\S]*?\n## /m.exec(readme)?.[0] ?? '';
-  const blocks = [...part.matchAll(/^```(\w*)\n([\s\S]*?)^```$/gm)].filter(
+  const blocks = [...guide.matchAll(/^```(\w*)\n([\s\S]*?)^```$/gm)].filter(
     ([, name, code]) => name === language && code.includes(text),
   );
   if (blocks.length !== 1) throw new Error(`${blocks.length} examples in ${language} with ${text}, not one`);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Turns measurements of the benchmark into tables for the terminal and the README, exponents, and times to an
+ * @file Turns measurements of the benchmark into tables for the terminal and its README, exponents, and times to an
  * accuracy.
  */
 

@@ -2,8 +2,12 @@
 /**
  * @file The catalog's tables, for a small catalog with known numbers.
  */
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { catalogSection, energyWords } from './section.js';
+import { energyWords } from '../../../web/words/catalog_tables.js';
+import { root } from '../process.js';
+import { catalogSection } from './section.js';
 
 const shapes = [
   { name: 'two-4', genus: 3, junctions: 2, arms: 4 },
@@ -91,4 +95,9 @@ describe('the section', () => {
     );
     expect(costs(10.5)).toContain('cheaper does not hold');
   });
+});
+
+test("the catalog's README has the tables of its numbers: `npm run catalog -- readme` writes them", () => {
+  const read = (/** @type {string} */ name) => readFileSync(path.join(root, 'web/catalog', name), 'utf8');
+  expect(read('README.md')).toContain(catalogSection(JSON.parse(read('catalog.json'))));
 });
