@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file How the pages are built. Every HTML file of this folder becomes a page of build/web, which works under any path
- * of a static host. All pages begin with the same head and header. The catalog's data keep their names.
+ * of a static host. All pages begin with the same head and header, and some have parts in files of their own. The catalog's
+ * data keep their names.
  */
 import { cpSync, existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { tablesHtml } from './pages/methods/tables.js';
 
 const web = path.dirname(fileURLToPath(import.meta.url));
 const outDir = path.join(web, '../build/web');
 const pages = readdirSync(web).filter((name) => name.endsWith('.html'));
 
-/** A file of pages/ that all pages contain, without its comments. @param {string} name */
+/** A file of pages/ that pages contain, without its comments. @param {string} name */
 const shared = (name) => readFileSync(path.join(web, 'pages', name), 'utf8').replace(/<!--.*?-->\s*/gs, '');
 
 /**
@@ -60,6 +62,19 @@ function beginnings() {
   };
 }
 
+/** Inserts the parts of a page that are files of pages/, and the catalog's tables. @returns {import('vite').Plugin} */
+function parts() {
+  const tables = () => tablesHtml(JSON.parse(readFileSync(path.join(web, 'catalog/catalog.json'), 'utf8')));
+  return {
+    name: 'parts',
+    transformIndexHtml: {
+      order: 'pre',
+      handler: (html) =>
+        html.replace(/<!-- part: (\S+) -->/g, (_, name) => shared(name)).replace('<!-- tables -->', tables),
+    },
+  };
+}
+
 /** Preloads the studio's drawing code with everything else, although it runs only after the worker has started. @returns {import('vite').Plugin} */
 function preloads() {
   const drawing = 'views/surface.js';
@@ -94,7 +109,8 @@ function catalog() {
     apply: 'build',
     writeBundle() {
       const folder = path.join(web, 'catalog');
-      if (existsSync(folder)) cpSync(folder, path.join(outDir, 'catalog'), { recursive: true });
+      const filter = (/** @type {string} */ name) => !name.endsWith('.md');
+      if (existsSync(folder)) cpSync(folder, path.join(outDir, 'catalog'), { recursive: true, filter });
     },
   };
 }
@@ -102,7 +118,7 @@ function catalog() {
 export default defineConfig({
   root: web,
   base: './',
-  plugins: [beginnings(), securityPolicy(), preloads(), catalog()],
+  plugins: [beginnings(), parts(), securityPolicy(), preloads(), catalog()],
   build: {
     outDir,
     emptyOutDir: true,

@@ -99,6 +99,15 @@ const states = [
   ],
   ['the page of tori', 'torus.html', (page) => page.locator('#energies-plot svg').waitFor()],
   [
+    'the page of methods',
+    'methods.html',
+    (page) =>
+      page
+        .locator('#theme')
+        .filter({ hasText: /Dark|Light/ })
+        .waitFor(),
+  ],
+  [
     'the list of keys',
     'torus.html',
     async (page) => {

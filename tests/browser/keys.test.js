@@ -31,6 +31,7 @@ const listed = async (page) =>
 describe.each([
   ['index.html', { '?': 'This list' }],
   ['compare.html?entries=two-3.bending', { F: 'Fit to the view' }],
+  ['methods.html', { '?': 'This list' }],
   ['torus.html', { '← →': 'Read the next ratio of radii' }],
   ['studio.html', { 'Ctrl+S': 'Save the project', '+ −': 'Zoom in and out', 'Shift+Ctrl+Z Ctrl+Y': 'Redo' }],
 ])('%s', (address, some) => {

@@ -16,7 +16,7 @@ const pages = readdirSync(builtPage).filter((name) => name.endsWith('.html'));
 
 describe('the HTML of a built page', () => {
   test('is that of all pages', () =>
-    expect(pages.sort()).toEqual(['compare.html', 'index.html', 'studio.html', 'torus.html']));
+    expect(pages.sort()).toEqual(['compare.html', 'index.html', 'methods.html', 'studio.html', 'torus.html']));
 
   test.each(pages)('%s has the policy before all that it is about, and no code or style in itself', (name) => {
     const html = readFileSync(path.join(builtPage, name), 'utf8').replace(/<!--.*?-->/gs, '');
@@ -41,6 +41,7 @@ const work = {
     await page.locator('#energies td').first().waitFor();
     await page.locator('.ticks span').first().waitFor();
   },
+  'methods.html': (page) => page.locator('#theme').filter({ hasText: 'Dark' }).waitFor(),
   'torus.html': (page) => page.locator('#energies-plot svg').waitFor(),
   'studio.html': async (page) => {
     await measured(page);

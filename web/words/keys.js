@@ -27,9 +27,10 @@ const picture = {
   ],
 };
 
-/** The keys of each page. @type {Record<'catalog' | 'compare' | 'torus' | 'studio', KeyGroup[]>} */
+/** The keys of each page. @type {Record<'catalog' | 'compare' | 'torus' | 'studio' | 'methods', KeyGroup[]>} */
 export const keyGroups = {
   catalog: [everywhere],
+  methods: [everywhere],
   compare: [everywhere, picture],
   torus: [
     everywhere,
