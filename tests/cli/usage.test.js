@@ -38,6 +38,13 @@ describe('help', () => {
     }
   });
 
+  const reference = readFileSync(path.join(root, 'core/cli/README.md'), 'utf8');
+  test.each(commands)('of %s names no option that the reference of the command line leaves out', (command) => {
+    const options = outputOf([command, '--help']).match(/(?<=^ +(-\w,)?)--[a-z-]+/gm) ?? [];
+    expect(options).toContain('--help');
+    expect(options.filter((option) => !new RegExp(`${option}(?![a-z-])`).test(reference))).toEqual([]);
+  });
+
   test('--version is that of the package', () => {
     const { version } = JSON.parse(readFileSync(path.join(root, 'package.json'), 'utf8'));
     expect(outputOf(['--version'])).toBe(`umbilic ${version}\n`);
