@@ -281,7 +281,9 @@ EnergyReport Surface::report(const Points& control) const {
     report.free->functionals = free.functionals;
     report.free->area = in_own_units(free.area);
     if (fixed_area_) {
-      for (int i = kMvs; i < kFunctionalCount; ++i) report.free->functionals[i] *= *fixed_area_ / free.area;
+      for (int i = 0; i < kFunctionalCount; ++i) {
+        report.free->functionals[i] *= area_to_the(area_power(i), *fixed_area_ / free.area);
+      }
       report.free->area_factor = in_own_units(*fixed_area_);
     }
   }
@@ -315,7 +317,7 @@ EnergyReport Surface::report(const Points& control) const {
 /// integral of K) + b W.
 double Surface::willmore_by_minimizing_rule(const Points& control, const EnergyValue& value) const {
   const double a = weights_[kBending], b = weights_[kWillmore];
-  if (a + b > 0) return (value.second + 2 * a * value.gaussian) / (4 * a + b);
+  if (a + b > 0) return (value.integrals[0] + 2 * a * value.gaussian) / (4 * a + b);
   Weights willmore_alone{};
   willmore_alone[kWillmore] = 1;
   return SurfaceEnergy(jets(), willmore_alone).evaluate(control, nullptr).energy;

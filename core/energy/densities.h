@@ -139,13 +139,12 @@ T parametrization_density(const Curvature<T>& k, const T& scale, Curvature<T>& a
   return sum;
 }
 
-/// Weighted sum of the densities of third order if kThird, else of second order; `weights` in the order of
-/// `Functional`.
-template <bool kThird, class T>
+/// Weighted sum of the densities whose functionals have the factor area^kPower; `weights` in the order of `Functional`.
+template <int kPower, class T>
 T weighted_density(const double* weights, const Curvature<T>& k, const T& scale, Curvature<T>& adjoint,
                    double umbilic_eta = kUmbilicEta) {
   T sum{};
-  if constexpr (!kThird) {
+  if constexpr (kPower == 0) {
     if (weights[kBending] != 0) sum += weights[kBending] * bending_density(k, scale * weights[kBending], adjoint);
     if (weights[kWillmore] != 0) sum += weights[kWillmore] * willmore_density(k, scale * weights[kWillmore], adjoint);
   } else {
@@ -165,6 +164,13 @@ T weighted_density(const double* weights, const Curvature<T>& k, const T& scale,
     }
   }
   return sum;
+}
+
+/// That of all third-order densities, for weights that contain their powers of the area.
+template <class T>
+T third_order_density(const double* weights, const Curvature<T>& k, const T& scale, Curvature<T>& adjoint,
+                      double umbilic_eta = kUmbilicEta) {
+  return weighted_density<1>(weights, k, scale, adjoint, umbilic_eta);
 }
 
 }  // namespace umbilic::UMBILIC_KERNELS

@@ -52,11 +52,11 @@ EnergyHessian::EnergyHessian(const PatchLayout& layout, const QuadratureRule& ru
 void EnergyHessian::move_to(const Points& control, const EnergyValue& value, double parametrization) {
   patches_.move_to(control);
   for (int f = 0; f < kFunctionalCount; ++f) {
-    integrand_.weights[f] = weights_[f] * (is_third_order(f) ? value.area_factor : 1);
+    integrand_.weights[f] = weights_[f] * area_to_the(area_power(f), value.area_factor);
   }
   integrand_.weights[kParametrization] = parametrization;
   integrand_.third_order = third_order(weights_);
-  integrand_.area_factor = integrand_.third_order ? value.area_slope : 0;
+  integrand_.area_slope = value.area_slope;
 }
 
 void EnergyHessian::patch(int set, int patch, HessianMemory& memory, std::vector<double>& block) const {

@@ -2,11 +2,11 @@
 /// \file
 /// Second derivatives of a surface's weighted functional, patch by patch.
 ///
-/// The energy is second + area * third, and the patches' matrices sum to D^2 second + area D^2 third + third D^2 area.
-/// The full Hessian has in addition the rank-two term grad area grad third^T + grad third grad area^T. The normals of
-/// `flat` caps are held fixed. Near umbilics second derivatives grow like the inverse square of the distance and
-/// describe the energy only within that distance, so the caller may ask for those of a more strongly regularized
-/// density.
+/// The energy is E = sum of area^p I_p, with I_p the weighted integral of the densities whose factor is area^p. The
+/// patches' matrices sum to the sum of area^p D^2 I_p, plus dE/darea D^2 area. The full Hessian has in addition a term
+/// of rank two, see SurfaceEnergy::evaluate_factors. The normals of `flat` caps are held fixed. Near umbilics second
+/// derivatives grow like the inverse square of the distance and describe the energy only within that distance, so the
+/// caller may ask for those of a more strongly regularized density.
 #pragma once
 
 #include <vector>

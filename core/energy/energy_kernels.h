@@ -12,8 +12,8 @@ namespace umbilic {
 
 /// Integrals of a weighted functional, summed over samples.
 struct EnergySums {
-  double second, third;    ///< weighted integrals of the densities of second and of third order
-  double parametrization;  ///< weighted integral of its density
+  double integrals[kAreaPowerCount];  ///< [p]: weighted integral of the densities whose factor is area^p
+  double parametrization;             ///< weighted integral of its density
   double area;
   double gaussian;  ///< integral of the Gaussian curvature
   double smallest;  ///< smallest area element
@@ -24,7 +24,7 @@ struct BlockEnergies {
   EnergySums wide, rest;
 };
 
-/// Integrals of each functional, summed over samples; third-order ones without the factor area.
+/// Integrals of each functional, summed over samples; without their powers of the area.
 struct FunctionalSums {
   double functionals[kFunctionalCount];
   double parametrization;  ///< integral of its density
@@ -33,11 +33,10 @@ struct FunctionalSums {
 };
 
 struct EnergyKernels {
-  /// The block's integrals of the second-order densities (among them the parametrization's), the third-order ones, or
-  /// both. `weights` are those of the kDensityCount densities. If the block has adjoints, overwrites them with those of
-  /// the second-order integral (if `second_order`), of the third-order integral and of the area (if `third_order`), in
-  /// this order.
-  BlockEnergies (*integrate)(const double* weights, bool second_order, bool third_order, const JetBlock& block);
+  /// The block's integrals of the densities of these powers of the area; the parametrization's counts as one of power
+  /// 0. `weights` are those of the kDensityCount densities. If the block has adjoints, overwrites them with those of
+  /// the integral of each power, in rising order, and of the area if there is a functional of third order.
+  BlockEnergies (*integrate)(const double* weights, const AreaPowers& powers, const JetBlock& block);
   /// Writes the second derivatives of the patch's integral by coordinate c of point i and e of point j to out[(c *
   /// columns + i) * (3 * columns) + (e * columns + j)], for e <= c. If e == c only the entries with j <= i are
   /// meaningful.

@@ -18,13 +18,15 @@ inline constexpr std::array<std::string_view, kFunctionalCount> kFunctionalNames
 /// Weights of the functionals, in the order of the enum. Generalizes Joshi & Sequin's eq. 9 to all functionals.
 using Weights = std::array<double, kFunctionalCount>;
 
-/// Whether some functional of third order has a nonzero weight.
-constexpr bool third_order(const Weights& weights) {
-  for (int f = kMvs; f < kFunctionalCount; ++f) {
-    if (weights[f] != 0) return true;
-  }
-  return false;
+/// The powers of the area of the functionals that have a nonzero weight.
+constexpr AreaPowers area_powers(const Weights& weights) {
+  AreaPowers powers;
+  for (int f = 0; f < kFunctionalCount; ++f) powers.has[area_power(f)] |= weights[f] != 0;
+  return powers;
 }
+
+/// Whether some functional of third order has a nonzero weight.
+constexpr bool third_order(const Weights& weights) { return area_powers(weights).third_order(); }
 
 /// Weights with 1 for the functional called `name`. Errors name the unknown functional and list the known ones.
 Result<Weights> weights_of(std::string_view name);

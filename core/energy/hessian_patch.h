@@ -7,11 +7,11 @@
 
 namespace umbilic {
 
-/// f = weight (rho + area_factor) |X_u x X_v|, with rho the weighted sum of densities.
+/// f = weight (rho + area_slope) |X_u x X_v|, with rho the weighted sum of densities.
 struct WeightedIntegrand {
   double weights[kDensityCount];  ///< of each density
   bool third_order;               ///< whether densities of third order have a weight
-  double area_factor;             ///< multiplies the area element
+  double area_slope;              ///< multiplies the area element
   double umbilic_eta = kUmbilicEta;
 };
 

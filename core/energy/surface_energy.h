@@ -15,13 +15,13 @@
 namespace umbilic {
 
 struct EnergyValue {
-  double energy = 0;           ///< second + area_factor * third
-  double second = 0;           ///< weighted integral of the second-order densities
+  double energy = 0;  ///< sum of area_factor^p * integrals[p]
+  /// [p]: weighted integral of the densities whose functionals have the factor area^p, without that factor.
+  std::array<double, kAreaPowerCount> integrals{};
   double parametrization = 0;  ///< weighted integral of the parametrization's density, which `energy` leaves out
-  double third = 0;            ///< weighted integral of the third-order densities, without the factor area
   double area = 0;
   double area_factor = 0;  ///< the area, or the constant that replaces it
-  double area_slope = 0;   ///< derivative of the energy by the area: `third`, or 0 if the factor is a constant
+  double area_slope = 0;   ///< derivative of the energy by area_factor, or 0 if that is a constant
   double gaussian = 0;     ///< integral of the Gaussian curvature
   /// Smallest |X_u x X_v| divided by its mean. Tends to 0 when a patch collapses or folds.
   double regularity = 0;
@@ -39,16 +39,18 @@ class SurfaceEnergy {
   /// plus its term. The result is not finite if the surface is not regular. `gradient`, if given, is control_count x 3.
   EnergyValue evaluate(const Points& control, Points* gradient, double parametrization = 0) const;
 
-  /// Also gives the gradients of `EnergyValue::third` and `area`, control_count x 3. The energy must contain their
-  /// product.
-  EnergyValue evaluate_factors(const Points& control, Points& third, Points& area) const;
+  /// Also gives the two factors of the Hessian's term slope area^T + area slope^T that no sum over patches has, both
+  /// control_count x 3: the gradient of the area, and that of the energy's derivative by the area as it changes with
+  /// the integrals and, by half, with the area: slope = sum of p area^(p-1) grad I_p + 1/2 p (p-1) area^(p-2) I_p grad
+  /// area. The energy must contain a product with the area.
+  EnergyValue evaluate_factors(const Points& control, Points& slope, Points& area) const;
 
   const PatchLayout& layout() const { return jets_.layout(); }
   const Weights& weights() const { return weights_; }
   /// Whether some functional of third order has a nonzero weight.
-  bool third_order() const { return third_order_; }
-  /// Whether it contains the product of the area and a third-order integral.
-  bool has_area_product() const { return third_order_ && !fixed_area_; }
+  bool third_order() const { return powers_.third_order(); }
+  /// Whether it contains a product of a power of the area and a third-order integral.
+  bool has_area_product() const { return third_order() && !fixed_area_; }
 
  private:
   EnergyValue evaluate_channels(const Points& control, double parametrization, bool gradient,
@@ -57,13 +59,13 @@ class SurfaceEnergy {
   const JetEvaluator& jets_;
   Weights weights_;
   std::optional<double> fixed_area_;
-  bool second_order_, third_order_;
+  AreaPowers powers_;
   mutable std::vector<BlockEnergies> blocks_;  // summed in their order
-  mutable std::vector<Points> gradients_;      // those of the second-order integral, the third-order one and the area
+  mutable std::vector<Points> gradients_;      // those of the integrals in use, by rising power, and of the area
 };
 
 struct SurfaceIntegrals {
-  std::array<double, kFunctionalCount> functionals{};  ///< third-order ones include the factor area
+  std::array<double, kFunctionalCount> functionals{};  ///< with their powers of the area
   double parametrization = 0;                          ///< integral of the parametrization's density
   double area = 0;
   double gaussian = 0;  ///< integral of the Gaussian curvature

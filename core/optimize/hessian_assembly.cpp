@@ -47,9 +47,9 @@ bool HessianAssembly::advance() {
       EnergyValue value;
       factors_.resize(unknowns_.count(), energy_.has_area_product() ? 2 : 0);
       if (energy_.has_area_product()) {
-        Points third, area;
-        value = energy_.evaluate_factors(control_, third, area);
-        factors_ << unknowns_.pull_back(area), unknowns_.pull_back(third);
+        Points slope, area;
+        value = energy_.evaluate_factors(control_, slope, area);
+        factors_ << unknowns_.pull_back(area), unknowns_.pull_back(slope);
       } else {
         value = energy_.evaluate(control_, nullptr);
       }

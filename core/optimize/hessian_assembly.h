@@ -2,8 +2,9 @@
 /// \file
 /// The Hessian of the functional and the Sobolev matrix over the optimizer's unknowns, assembled in parts.
 ///
-/// Hessian = H + u v^T + v u^T. H sums the second derivatives of the patches; u and v are the gradients of the area and
-/// of the third-order integral, whose product the energy contains unless its factor area is fixed.
+/// Hessian = H + u v^T + v u^T. H sums the second derivatives of the patches; u and v are the factors of
+/// SurfaceEnergy::evaluate_factors, u the gradient of the area. There are none if the energy has no power of the area
+/// as a factor, or a constant in its place.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -39,7 +40,7 @@ class HessianAssembly {
 
   /// The lower triangle of hessian_factor * H + sobolev_factor * S.
   Matrix combine(double hessian_factor, double sobolev_factor) const;
-  /// The columns u and v; none if the energy does not contain their product.
+  /// The columns u and v; none if the energy has no product with the area.
   const Eigen::MatrixXd& factors() const { return factors_; }
 
  private:

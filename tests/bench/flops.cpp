@@ -22,7 +22,8 @@ void density_and_pull_back(const Frame& frame, const Weights& weights, Counted w
   const Curvature<Counted>& k = frame.value();
   Curvature<Counted> adjoint{};
   const Counted measure = weight * k.area;
-  const Counted density = weighted_density<kThird>(weights.data(), k, measure, adjoint);
+  const Counted density = kThird ? third_order_density(weights.data(), k, measure, adjoint)
+                                 : weighted_density<0>(weights.data(), k, measure, adjoint);
   adjoint.area = weight * density;
   Counted sum;
   sum += measure * density;

@@ -14,7 +14,7 @@ namespace {
 /// Sums over the samples, one per lane.
 template <class L>
 struct LaneSums {
-  L second{}, third{}, parametrization{}, area{}, gaussian{}, smallest = splat<L>(__builtin_inf());
+  L integrals[kAreaPowerCount] = {}, parametrization{}, area{}, gaussian{}, smallest = splat<L>(__builtin_inf());
 
   void add_shape(const L& weight, const Curvature<L>& k) {
     const L measure = weight * k.area;
@@ -24,26 +24,28 @@ struct LaneSums {
   }
 
   EnergySums sums() const {
-    return {sum_lanes(second), sum_lanes(third),    sum_lanes(parametrization),
-            sum_lanes(area),   sum_lanes(gaussian), least_lane(smallest)};
+    EnergySums result{{}, sum_lanes(parametrization), sum_lanes(area), sum_lanes(gaussian), least_lane(smallest)};
+    for (int power = 0; power < kAreaPowerCount; ++power) result.integrals[power] = sum_lanes(integrals[power]);
+    return result;
   }
 };
 
 /// The adjoint of the curvature for the integrand weight * area * density.
-template <bool kThird, class L>
+template <int kPower, class L>
 L integrand(const double* weights, const Curvature<L>& k, const L& weight, Curvature<L>& adjoint) {
   const L measure = weight * k.area;
-  const L density = weighted_density<kThird>(weights, k, measure, adjoint);
+  const L density = weighted_density<kPower>(weights, k, measure, adjoint);
   adjoint.area = weight * density;
   return measure * density;
 }
 
 /// The samples [s, s + lanes) of patch p. One long function, because passing lanes to functions would go through
 /// memory.
-template <bool kSecond, bool kThird, bool kChristoffel, class L>
+template <bool kSecond, int kHighestPower, bool kChristoffel, class L>
 [[gnu::flatten]] inline void integrate_samples(const double* weights, const JetBlock& block, int p, int s,
                                                const L& weight, LaneSums<L>& sums) {
-  constexpr int kSecondChannel = 0, kThirdChannel = kSecond ? 1 : 0, kAreaChannel = kThirdChannel + 1;
+  constexpr bool kThird = kHighestPower > 0;
+  constexpr int kThirdChannel = kSecond ? 1 : 0, kAreaChannel = kThirdChannel + 1;
   const int samples = block.samples, derivatives = block.derivatives;
   const std::size_t at = static_cast<std::size_t>(3) * samples * p;
   const Jet<L> jet = load_jet<kThird, L>(block.jets + at * derivatives + s, samples, derivatives);
@@ -52,7 +54,7 @@ template <bool kSecond, bool kThird, bool kChristoffel, class L>
   sums.add_shape(weight, k);
   if constexpr (kSecond) {
     Curvature<L> adjoint{};
-    sums.second += integrand<false>(weights, k, weight, adjoint);
+    sums.integrals[0] += integrand<0>(weights, k, weight, adjoint);
     if constexpr (kChristoffel) {
       const double parametrization = weights[kParametrization];
       const L measure = weight * k.area;
@@ -61,13 +63,13 @@ template <bool kSecond, bool kThird, bool kChristoffel, class L>
       adjoint.area += weight * density;
     }
     if (block.adjoints) {
-      store_jet<false>(block.adjoints[kSecondChannel] + at * kSecondOrderCount + s, samples,
+      store_jet<false>(block.adjoints[0] + at * kSecondOrderCount + s, samples,
                        frame.template pull_back<false, kChristoffel>(adjoint));
     }
   }
   if constexpr (kThird) {
     Curvature<L> adjoint{};
-    sums.third += integrand<true>(weights, k, weight, adjoint);
+    sums.integrals[1] += integrand<1>(weights, k, weight, adjoint);
     if (block.adjoints) {
       store_jet<true>(block.adjoints[kThirdChannel] + at * kThirdOrderCount + s, samples, frame.pull_back(adjoint));
       const Vec3<L> n = frame.normal() * weight;
@@ -78,7 +80,7 @@ template <bool kSecond, bool kThird, bool kChristoffel, class L>
   }
 }
 
-template <bool kSecond, bool kThird, bool kChristoffel>
+template <bool kSecond, int kHighestPower, bool kChristoffel>
 BlockEnergies integrate_block(const double* weights, const JetBlock& block) {
   LaneSums<Lanes> wide;
   LaneSums<ShortLanes> rest;
@@ -87,16 +89,25 @@ BlockEnergies integrate_block(const double* weights, const JetBlock& block) {
     int s = 0;
     for (; s + kLaneCount <= block.samples; s += kLaneCount) {
       const Lanes weight = multiplicity * load_lanes(block.weights + s);
-      integrate_samples<kSecond, kThird, kChristoffel>(weights, block, p, s, weight, wide);
+      integrate_samples<kSecond, kHighestPower, kChristoffel>(weights, block, p, s, weight, wide);
     }
     if constexpr (kShortLaneCount < kLaneCount) {
       for (; s < block.samples; s += kShortLaneCount) {
         const ShortLanes weight = multiplicity * load_lanes<ShortLanes>(block.weights + s);
-        integrate_samples<kSecond, kThird, kChristoffel>(weights, block, p, s, weight, rest);
+        integrate_samples<kSecond, kHighestPower, kChristoffel>(weights, block, p, s, weight, rest);
       }
     }
   }
   return {wide.sums(), rest.sums()};
+}
+
+template <int kHighestPower>
+BlockEnergies integrate_up_to(const double* weights, const AreaPowers& powers, const JetBlock& block) {
+  if constexpr (kHighestPower > 0) {
+    if (!powers.has[0]) return integrate_block<false, kHighestPower, false>(weights, block);
+  }
+  return weights[kParametrization] != 0 ? integrate_block<true, kHighestPower, true>(weights, block)
+                                        : integrate_block<true, kHighestPower, false>(weights, block);
 }
 
 template <class L>
@@ -129,15 +140,8 @@ struct LaneFunctionals {
 
 }  // namespace
 
-BlockEnergies integrate(const double* weights, bool second_order, bool third_order, const JetBlock& block) {
-  const bool christoffel = weights[kParametrization] != 0;
-  if (!second_order) return integrate_block<false, true, false>(weights, block);
-  if (third_order) {
-    return christoffel ? integrate_block<true, true, true>(weights, block)
-                       : integrate_block<true, true, false>(weights, block);
-  }
-  return christoffel ? integrate_block<true, false, true>(weights, block)
-                     : integrate_block<true, false, false>(weights, block);
+BlockEnergies integrate(const double* weights, const AreaPowers& powers, const JetBlock& block) {
+  return powers.has[1] ? integrate_up_to<1>(weights, powers, block) : integrate_up_to<0>(weights, powers, block);
 }
 
 FunctionalSums integrate_all(const JetBlock& block) {

@@ -9,7 +9,7 @@
 namespace umbilic::UMBILIC_KERNELS {
 
 /// See EnergyKernels.
-BlockEnergies integrate(const double* weights, bool second_order, bool third_order, const JetBlock& block);
+BlockEnergies integrate(const double* weights, const AreaPowers& powers, const JetBlock& block);
 FunctionalSums integrate_all(const JetBlock& block);
 
 }  // namespace umbilic::UMBILIC_KERNELS

@@ -2,7 +2,7 @@
 /// \file
 /// Second derivatives of a weighted sum of densities by the jet: the gradient's code, evaluated on dual numbers.
 ///
-/// f(jet) = weight (rho + area_factor) |X_u x X_v|. Structure saves most of the work. C depends linearly on the third
+/// f(jet) = weight (rho + area_slope) |X_u x X_v|. Structure saves most of the work. C depends linearly on the third
 /// derivatives, and only on their normal parts, so the block of the third derivatives is n n^T times a 4 x 4 matrix of
 /// the density; only the first and second derivatives need dual numbers. If f does not depend on C, the same holds for
 /// II and the second derivatives, and only the first derivatives need them.
@@ -22,13 +22,13 @@ Jet<T> integrand_gradient(const WeightedIntegrand& f, const Jet<T>& jet, const T
   const Curvature<T>& k = frame.value();
   Curvature<T> adjoint{};
   const T measure = weight * k.area;
-  T density = weighted_density<false>(f.weights, k, measure, adjoint);
-  if constexpr (kThird) density += weighted_density<true>(f.weights, k, measure, adjoint, f.umbilic_eta);
+  T density = weighted_density<0>(f.weights, k, measure, adjoint);
+  if constexpr (kThird) density += third_order_density(f.weights, k, measure, adjoint, f.umbilic_eta);
   if constexpr (kChristoffel) {
     const double parametrization = f.weights[kParametrization];
     density += parametrization * parametrization_density(k, measure * parametrization, adjoint);
   }
-  adjoint.area = weight * (density + f.area_factor);
+  adjoint.area = weight * (density + f.area_slope);
   return frame.template pull_back<kThird, kChristoffel>(adjoint);
 }
 
@@ -100,7 +100,7 @@ class JetHessian {
       moved.q.tangent[i] = form[1];
       moved.r.tangent[i] = form[2];
     }
-    weighted_density<false>(f.weights, moved, Number(weight * k.area), adjoint);
+    weighted_density<0>(f.weights, moved, Number(weight * k.area), adjoint);
     for (int i = 0; i < 3; ++i) {
       const T form[3] = {adjoint.p.tangent[i], adjoint.q.tangent[i], adjoint.r.tangent[i]};
       T x[3];
@@ -125,7 +125,7 @@ class JetHessian {
       frame.third_to_frame(t, c);
       for (int j = 0; j < 4; ++j) moved.c[j].tangent[i] = c[j];
     }
-    weighted_density<true>(f.weights, moved, Number(weight * k.area), adjoint, f.umbilic_eta);
+    third_order_density(f.weights, moved, Number(weight * k.area), adjoint, f.umbilic_eta);
     for (int i = 0; i < 4; ++i) {
       T c[4], t[4];
       for (int j = 0; j < 4; ++j) c[j] = adjoint.c[j].tangent[i];

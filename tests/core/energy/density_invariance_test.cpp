@@ -124,7 +124,7 @@ void expect_finite_with_gradients(const Jet<double>& jet) {
     Weights weights{};
     weights[f] = 1;
     Curvature<double> adjoint;
-    EXPECT_TRUE(std::isfinite(weighted_density<true>(weights.data(), frame.value(), 1.0, adjoint)));
+    EXPECT_TRUE(std::isfinite(third_order_density(weights.data(), frame.value(), 1.0, adjoint)));
     Jet<double> gradient = frame.pull_back(adjoint);
     for (const Vec3<double>* v : vectors(gradient)) EXPECT_TRUE(vector(*v).allFinite()) << kFunctionalNames[f];
   }

@@ -14,16 +14,16 @@ namespace {
 
 constexpr Weights kBlend{0.5, 0.25, 1e-3, 2e-3, 1e-3, 3e-3};
 
-/// The integral over one patch of rho |X_u x X_v| + area_factor |X_u x X_v|, with the flat cap's n frozen, and its
+/// The integral over one patch of rho |X_u x X_v| + area_slope |X_u x X_v|, with the flat cap's n frozen, and its
 /// slope along a direction.
 class FrozenPatch {
  public:
-  FrozenPatch(const PatchSet& set, const Vector3& normal, const Weights& weights, double area_factor)
+  FrozenPatch(const PatchSet& set, const Vector3& normal, const Weights& weights, double area_slope)
       : table_(basis_table(set.kind, samples_of(set.kind, kFewPoints), 1, kDerivativeCount)),
         flat_(set.kind.shape == CapShape::kFlat),
         normal_(normal),
         weights_(weights),
-        area_factor_(area_factor) {}
+        area_slope_(area_slope) {}
 
   double slope(const Points& local, const Points& direction) const {
     const Points jets = moved(local), change = moved(direction);
@@ -37,9 +37,9 @@ class FrozenPatch {
       }
       const Curvature<Dual> k = CurvatureFrame<Dual, true>(jet).value();
       Curvature<Dual> unused;
-      const Dual density = weighted_density<false>(weights_.data(), k, Dual(0), unused) +
-                           weighted_density<true>(weights_.data(), k, Dual(0), unused);
-      sum += Dual(table_.weights[s]) * (density + Dual(area_factor_)) * k.area;
+      const Dual density = weighted_density<0>(weights_.data(), k, Dual(0), unused) +
+                           third_order_density(weights_.data(), k, Dual(0), unused);
+      sum += Dual(table_.weights[s]) * (density + Dual(area_slope_)) * k.area;
     }
     return sum.dx;
   }
@@ -56,7 +56,7 @@ class FrozenPatch {
   bool flat_;
   Vector3 normal_;
   Weights weights_;
-  double area_factor_;
+  double area_slope_;
 };
 
 Points local_rows(const PatchSet& set, int patch, const Points& points) {
@@ -91,8 +91,8 @@ TEST(EnergyHessian, of_every_patch_with_flat_caps_is_the_second_derivative_with_
     const EnergyValue value = SurfaceEnergy(jets, kBlend).evaluate(mesh.control, nullptr);
     EnergyHessian hessian(layout, kFewPoints, kBlend);
     hessian.move_to(mesh.control, value);
-    Weights weights = kBlend;  // second + area third varies with the area and the third-order integral frozen
-    for (int f = kMvs; f < kFunctionalCount; ++f) weights[f] *= value.area;
+    Weights weights = kBlend;  // the energy varies with the area factor and its slope frozen
+    for (int f = 0; f < kFunctionalCount; ++f) weights[f] *= area_to_the(area_power(f), value.area);
     const std::vector<FlatFrame> frames = flat_frames(layout, mesh.control);
     HessianMemory memory;
     std::vector<double> block;
@@ -101,7 +101,7 @@ TEST(EnergyHessian, of_every_patch_with_flat_caps_is_the_second_derivative_with_
       const PatchSet& set = layout.sets()[s];
       for (int p = 0; p < set.count(); p += 7) {
         const Vector3 normal = set.caps.empty() ? Vector3::UnitX() : frames[set.caps[p]].normal;
-        const FrozenPatch patch(set, normal, weights, value.third);
+        const FrozenPatch patch(set, normal, weights, value.area_slope);
         const Points local = local_rows(set, p, mesh.control);
         const Points a = random.points(set.columns), b = random.points(set.columns);
         const double h = 1e-6;

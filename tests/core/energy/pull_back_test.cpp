@@ -64,8 +64,8 @@ std::vector<Weights> weights_of_order(bool third) {
 
 template <class T>
 T density(const Weights& weights, bool third, const Curvature<T>& k, const T& scale, Curvature<T>& adjoint) {
-  return third ? weighted_density<true>(weights.data(), k, scale, adjoint)
-               : weighted_density<false>(weights.data(), k, scale, adjoint);
+  return third ? third_order_density(weights.data(), k, scale, adjoint)
+               : weighted_density<0>(weights.data(), k, scale, adjoint);
 }
 
 /// Derivative of a density by the i-th entry of the curvature.

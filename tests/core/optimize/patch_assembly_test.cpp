@@ -41,9 +41,9 @@ Eigen::VectorXd hessian_times(const PatchLayout& layout, const Weights& weights,
   const Eigen::SparseMatrix<double> lower = assembly.lower(sums.values);
   Eigen::VectorXd product = lower.selfadjointView<Eigen::Lower>() * direction;
   if (energy.third_order()) {
-    Points third, area;
-    energy.evaluate_factors(control, third, area);
-    product += flat(area) * flat(third).dot(direction) + flat(third) * flat(area).dot(direction);
+    Points slope, area;
+    energy.evaluate_factors(control, slope, area);
+    product += flat(area) * flat(slope).dot(direction) + flat(slope) * flat(area).dot(direction);
   }
   return product;
 }
