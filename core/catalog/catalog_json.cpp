@@ -176,7 +176,8 @@ std::string misfit(const Json& entry, std::string_view minimizer) {
   const Json energies = part_json(run->run.energies());
   const Json& stored = entry.at("energies");
   for (const auto& [name, energy] : energies.items()) {
-    if (!energy.is_number() || name == "quadrature_error") continue;
+    // A stored entry may be older than a functional.
+    if (!energy.is_number() || name == "quadrature_error" || !stored.contains(name)) continue;
     const std::string what = energy_difference(energy, stored.at(name), kSurfaceReproducibility, kSurfaceFloor);
     if (!what.empty()) return fmt::format("{} of the stored surface: {}", name, what);
   }

@@ -126,12 +126,14 @@ Result<LevelRange> parse_levels(std::string_view text) {
 std::string functional_help() {
   return "Functionals: integrals over the surface, with principal curvatures k1 >= k2 along e1, e2, mean curvature H,\n"
          "second fundamental form II and area A. None depends on the surface's size.\n"
-         "  bending                 integral of k1^2 + k2^2                             sphere: 8 pi\n"
-         "  willmore                integral of H^2                                     sphere: 4 pi\n"
-         "  mvs                     A * integral of (dk1/de1)^2 + (dk2/de2)^2           0 on cyclides\n"
-         "  mvs_cross               A * integral of |grad k1|^2 + |grad k2|^2           0 on spheres\n"
-         "  mehlum_tarrou           A * integral of the mean over directions of (dk_n/ds)^2\n"
-         "  second_form_variation   A * integral of |grad II|^2";
+         "  bending                   integral of k1^2 + k2^2                             sphere: 8 pi\n"
+         "  willmore                  integral of H^2                                     sphere: 4 pi\n"
+         "  mvs                       A * integral of (dk1/de1)^2 + (dk2/de2)^2           0 on cyclides\n"
+         "  mvs_cross                 A * integral of |grad k1|^2 + |grad k2|^2           0 on spheres\n"
+         "  mehlum_tarrou             A * integral of the mean over directions of (dk_n/ds)^2\n"
+         "  second_form_variation     A * integral of |grad II|^2\n"
+         "  mean_curvature_variation  A * integral of 4 |grad H|^2                        0 on spheres\n"
+         "  curvedness_variation      A^2 * integral of |grad (k1^2 + k2^2)/2|^2          0 on spheres";
 }
 
 }  // namespace umbilic::cli

@@ -44,6 +44,7 @@ std::array<double, kFunctionalCount> energies_at(double ratio) {
   if (ratio > 0) return torus_energies(ratio);
   std::array<double, kFunctionalCount> limits = torus_energies(std::numeric_limits<double>::min());
   limits[kBending] = limits[kWillmore] = std::numeric_limits<double>::infinity();
+  limits[kCurvednessVariation] = 0;
   return limits;
 }
 
@@ -72,12 +73,14 @@ std::string minimizer_line(const TorusMinimizer& minimizer, const std::string& o
 }
 
 std::string table(const TorusArguments& arguments, const std::optional<TorusMinimizer>& minimizer) {
-  std::string text = fmt::format("{:>8} {:>12} {:>12} {:>4} {:>14} {:>14} {:>22}\n", "r/R", "bending", "willmore",
-                                 "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation");
+  std::string text = fmt::format("{:>8} {:>12} {:>12} {:>4} {:>14} {:>14} {:>22} {:>24} {:>20}\n", "r/R", "bending",
+                                 "willmore", "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation",
+                                 "mean_curvature_variation", "curvedness_variation");
   for (const Row& row : rows_of(arguments, minimizer)) {
     const auto e = energies_at(row.ratio);
-    text += fmt::format("{:>8.4f} {:>12.8g} {:>12.8g} {:>4.8g} {:>14.10g} {:>14.10g} {:>22.10g}", row.ratio,
-                        e[kBending], e[kWillmore], e[kMvs], e[kMvsCross], e[kMehlumTarrou], e[kSecondFormVariation]);
+    text += fmt::format("{:>8.4f} {:>12.8g} {:>12.8g} {:>4.8g} {:>14.10g} {:>14.10g} {:>22.10g} {:>24.10g} {:>20.10g}",
+                        row.ratio, e[kBending], e[kWillmore], e[kMvs], e[kMvsCross], e[kMehlumTarrou],
+                        e[kSecondFormVariation], e[kMeanCurvatureVariation], e[kCurvednessVariation]);
     text += row.note.empty() ? "\n" : fmt::format("  {}\n", row.note);
   }
   if (minimizer) text += minimizer_line(*minimizer, words(arguments.terms));

@@ -22,12 +22,12 @@ std::string plural(int count, std::string_view one, std::string_view many) {
 
 std::string energy_line(std::string_view name, double value, const std::string& note = "") {
   const std::string number = std::isfinite(value) ? fmt::format("{:.10g}", value) : "diverges";
-  return fmt::format("  {:<22} {:>16}{}{}\n", name, number, note.empty() ? "" : "   = ", note);
+  return fmt::format("  {:<24} {:>16}{}{}\n", name, number, note.empty() ? "" : "   = ", note);
 }
 
 std::string area_line(double area) {
-  if (std::isinf(area)) return fmt::format("  {:<22} {:>16}\n", "area", "above 1.8e+308");
-  if (area == 0) return fmt::format("  {:<22} {:>16}\n", "area", "below 4.9e-324");
+  if (std::isinf(area)) return fmt::format("  {:<24} {:>16}\n", "area", "above 1.8e+308");
+  if (area == 0) return fmt::format("  {:<24} {:>16}\n", "area", "below 4.9e-324");
   return energy_line("area", area);
 }
 
@@ -83,7 +83,8 @@ std::string free_energy_lines(const FreeEnergies& free) {
   text += area_line(free.area);
   if (free.area_factor > 0) {
     text += fmt::format(
-        "  functionals of third order have the constant factor {:.10g}, the area of the cage's own surface\n",
+        "  the area in the factors of third-order functionals is the constant {:.10g}, that of the cage's own "
+        "surface\n",
         free.area_factor);
   }
   return text + "of the whole surface\n";
@@ -107,6 +108,18 @@ std::string energy_table(const EnergyReport& energies, const std::string& object
     text += fmt::format("  quadrature error of {}: {:.1e}\n", objective, energies.quadrature_error);
   }
   return text + input_rounding_lines(energies);
+}
+
+std::string invariants_table(const EnergyReport& energies) {
+  constexpr const char* kFormulas[kInvariantCount] = {"A^(3/2) * integral of II(T, T), T = 2 grad H",
+                                                      "A^(3/2) * integral of II_ij C_ikl C_jkl, C = grad II",
+                                                      "A^(5/2) * integral of II_ia II_jb II_kc C_ijk C_abc"};
+  if (!energies.invariants) return "";
+  std::string text = "invariants that change their sign with the side of the surface\n";
+  for (int i = 0; i < kInvariantCount; ++i) {
+    text += energy_line(kInvariantNames[i], energies.invariants->values[i], kFormulas[i]);
+  }
+  return text;
 }
 
 std::string constraints_table(const ConstraintsReport& report) {

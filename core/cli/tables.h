@@ -22,6 +22,8 @@ std::string energy_table(const EnergyReport& energies, const std::string& object
 std::string group_words(const GroupReport& group);
 /// What the energies prove of the surface, or why they are not to be believed; empty where there is nothing to say.
 std::string credibility_lines(const EnergyReport& energies);
+/// The invariants that are no functionals; empty where the report does not have them.
+std::string invariants_table(const EnergyReport& energies);
 /// "energies of the last level", or of the level that is better.
 /// What constraints do to the surface; lengths in the units of the file.
 std::string constraints_table(const ConstraintsReport& report);

@@ -274,6 +274,7 @@ EnergyReport Surface::report(const Points& control) const {
   const SurfaceIntegrals whole = whole_integrals(control), free = whole_ ? free_integrals(control) : whole;
   EnergyReport report;
   report.functionals = whole.functionals;
+  report.invariants = {whole.invariants};
   report.area = in_own_units(whole.area);
   report.gaussian = whole.gaussian;
   if (whole_ || (fixed_area_ && third_order(weights_))) {
@@ -297,6 +298,7 @@ EnergyReport Surface::report(const Points& control) const {
       report.functionals[i] = std::numeric_limits<double>::quiet_NaN();
       if (report.free) report.free->functionals[i] = report.functionals[i];
     }
+    report.invariants.emplace();
   }
   const EnergyValue minimized = energy().evaluate(control, nullptr);
   report.quadrature_error = std::abs(objective(report) - minimized.energy);

@@ -123,6 +123,36 @@ T second_form_variation_density(const Curvature<T>& k, const T& scale, Curvature
   return k.c[0] * k.c[0] + k.c[3] * k.c[3] + 3.0 * (k.c[1] * k.c[1] + k.c[2] * k.c[2]);
 }
 
+/// |T|^2 with T_i = C_ikk, that is 4 |grad H|^2, in 1/length^4: 0 where the mean curvature is constant.
+template <class T>
+T mean_curvature_variation_density(const Curvature<T>& k, const T& scale, Curvature<T>& adjoint) {
+  const T t1 = k.c[0] + k.c[2], t2 = k.c[1] + k.c[3];
+  const T d1 = 2.0 * scale * t1, d2 = 2.0 * scale * t2;
+  adjoint.c[0] += d1;
+  adjoint.c[1] += d2;
+  adjoint.c[2] += d1;
+  adjoint.c[3] += d2;
+  return t1 * t1 + t2 * t2;
+}
+
+/// |v|^2 with v_k = II_ij C_ijk, that is the squared gradient of the squared curvedness (kappa1^2 + kappa2^2)/2, in
+/// 1/length^6: 0 where |II| is constant. Koenderink & van Doorn 1992, Surface shape and curvature scales, for the
+/// curvedness.
+template <class T>
+T curvedness_variation_density(const Curvature<T>& k, const T& scale, Curvature<T>& adjoint) {
+  const T twice_q = 2.0 * k.q;
+  const T v1 = k.p * k.c[0] + twice_q * k.c[1] + k.r * k.c[2], v2 = k.p * k.c[1] + twice_q * k.c[2] + k.r * k.c[3];
+  const T d1 = 2.0 * scale * v1, d2 = 2.0 * scale * v2;
+  adjoint.p += d1 * k.c[0] + d2 * k.c[1];
+  adjoint.q += 2.0 * (d1 * k.c[1] + d2 * k.c[2]);
+  adjoint.r += d1 * k.c[2] + d2 * k.c[3];
+  adjoint.c[0] += d1 * k.p;
+  adjoint.c[1] += d1 * twice_q + d2 * k.p;
+  adjoint.c[2] += d1 * k.r + d2 * twice_q;
+  adjoint.c[3] += d2 * k.r;
+  return v1 * v1 + v2 * v2;
+}
+
 /// |Gamma|^2, in 1/length^2, with Gamma the Christoffel symbols of the patch's parameters in an orthonormal frame. 0 if
 /// and only if the parameters are affine in geodesic ones, so it grows where patches are stretched or uneven. It does
 /// not depend on the surface's size or on affine changes of the parameters.
@@ -147,7 +177,7 @@ T weighted_density(const double* weights, const Curvature<T>& k, const T& scale,
   if constexpr (kPower == 0) {
     if (weights[kBending] != 0) sum += weights[kBending] * bending_density(k, scale * weights[kBending], adjoint);
     if (weights[kWillmore] != 0) sum += weights[kWillmore] * willmore_density(k, scale * weights[kWillmore], adjoint);
-  } else {
+  } else if constexpr (kPower == 1) {
     if (weights[kMvs] != 0 || weights[kMvsCross] != 0) {
       const PrincipalAngle<T> angle(k, umbilic_eta);
       if (weights[kMvs] != 0) sum += weights[kMvs] * mvs_density(k, angle, scale * weights[kMvs], adjoint);
@@ -162,6 +192,13 @@ T weighted_density(const double* weights, const Curvature<T>& k, const T& scale,
       const double w = weights[kSecondFormVariation];
       sum += w * second_form_variation_density(k, scale * w, adjoint);
     }
+    if (weights[kMeanCurvatureVariation] != 0) {
+      const double w = weights[kMeanCurvatureVariation];
+      sum += w * mean_curvature_variation_density(k, scale * w, adjoint);
+    }
+  } else if (weights[kCurvednessVariation] != 0) {
+    const double w = weights[kCurvednessVariation];
+    sum += w * curvedness_variation_density(k, scale * w, adjoint);
   }
   return sum;
 }
@@ -170,7 +207,8 @@ T weighted_density(const double* weights, const Curvature<T>& k, const T& scale,
 template <class T>
 T third_order_density(const double* weights, const Curvature<T>& k, const T& scale, Curvature<T>& adjoint,
                       double umbilic_eta = kUmbilicEta) {
-  return weighted_density<1>(weights, k, scale, adjoint, umbilic_eta);
+  static_assert(kAreaPowerCount == 3);
+  return weighted_density<1>(weights, k, scale, adjoint, umbilic_eta) + weighted_density<2>(weights, k, scale, adjoint);
 }
 
 }  // namespace umbilic::UMBILIC_KERNELS

@@ -6,6 +6,7 @@
 
 #include "energy/functional_list.h"
 #include "energy/hessian_patch.h"
+#include "energy/invariants.h"
 #include "surface/jet_block.h"
 
 namespace umbilic {
@@ -24,10 +25,11 @@ struct BlockEnergies {
   EnergySums wide, rest;
 };
 
-/// Integrals of each functional, summed over samples; without their powers of the area.
+/// Integrals of each functional and invariant, summed over samples; without their powers of the area.
 struct FunctionalSums {
   double functionals[kFunctionalCount];
-  double parametrization;  ///< integral of its density
+  double invariants[kInvariantCount];  ///< of II = n . X_ij
+  double parametrization;              ///< integral of its density
   double area;
   double gaussian;
 };
@@ -41,7 +43,7 @@ struct EnergyKernels {
   /// columns + i) * (3 * columns) + (e * columns + j)], for e <= c. If e == c only the entries with j <= i are
   /// meaningful.
   void (*patch_hessian)(const HessianPatch& patch, const WeightedIntegrand& f, double* scratch, double* out);
-  /// The block's integrals of all functionals; its jets must have third order.
+  /// The block's integrals of all functionals and invariants; its jets must have third order.
   FunctionalSums (*integrate_all)(const JetBlock& block);
 };
 

@@ -11,9 +11,14 @@
 
 namespace umbilic {
 
-/// "bending", "willmore", "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation".
-inline constexpr std::array<std::string_view, kFunctionalCount> kFunctionalNames{
-    "bending", "willmore", "mvs", "mvs_cross", "mehlum_tarrou", "second_form_variation"};
+inline constexpr std::array<std::string_view, kFunctionalCount> kFunctionalNames{"bending",
+                                                                                 "willmore",
+                                                                                 "mvs",
+                                                                                 "mvs_cross",
+                                                                                 "mehlum_tarrou",
+                                                                                 "second_form_variation",
+                                                                                 "mean_curvature_variation",
+                                                                                 "curvedness_variation"};
 
 /// Weights of the functionals, in the order of the enum. Generalizes Joshi & Sequin's eq. 9 to all functionals.
 using Weights = std::array<double, kFunctionalCount>;

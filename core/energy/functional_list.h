@@ -5,8 +5,17 @@
 
 namespace umbilic {
 
-enum Functional { kBending, kWillmore, kMvs, kMvsCross, kMehlumTarrou, kSecondFormVariation };
-inline constexpr int kFunctionalCount = 6;
+enum Functional {
+  kBending,
+  kWillmore,
+  kMvs,
+  kMvsCross,
+  kMehlumTarrou,
+  kSecondFormVariation,
+  kMeanCurvatureVariation,
+  kCurvednessVariation
+};
+inline constexpr int kFunctionalCount = 8;
 
 /// The density of the parametrization (densities.h), which is not a functional: it says how the patches lie on the
 /// surface, not which shape it has. Its weight follows those of the functionals.
@@ -17,9 +26,11 @@ inline constexpr int kDensityCount = kFunctionalCount + 1;
 constexpr bool is_third_order(int functional) { return functional >= kMvs; }
 
 /// The power of the area that a functional has as its factor, which makes it independent of size: densities in
-/// 1/length^2 need none, those in 1/length^4 the area.
-constexpr int area_power(int functional) { return is_third_order(functional) ? 1 : 0; }
-inline constexpr int kAreaPowerCount = 2;
+/// 1/length^2 need none, those in 1/length^4 the area, one in 1/length^6 its square.
+constexpr int area_power(int functional) {
+  return functional == kCurvednessVariation ? 2 : is_third_order(functional) ? 1 : 0;
+}
+inline constexpr int kAreaPowerCount = 3;
 
 /// area^power; exactly `area` for the power 1.
 constexpr double area_to_the(int power, double area) {

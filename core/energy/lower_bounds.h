@@ -12,7 +12,8 @@
 ///   pi chi = 4 pi (1 - g), B = 4 W - 8 pi (1 - g):
 ///   genus 0: B >= 16 pi - 8 pi = 8 pi.
 ///   genus g >= 1: B >= 8 pi^2 + 8 pi (g - 1).
-/// Functionals of third order are integrals of squares, times an area: they are >= 0, as spheres, cyclides and thinner
+/// Functionals of third order are integrals of squares, times a power of the area: they are >= 0, as spheres, cyclides
+/// and thinner
 ///   and thinner tori show that nothing better holds for all of them.
 ///
 /// Surfaces of several components have the sum of their components' energies, and of their bounds.

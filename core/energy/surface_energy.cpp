@@ -4,6 +4,7 @@
 #include "energy/surface_energy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -22,6 +23,7 @@ void add(const EnergySums& part, EnergySums& sums) {
 
 void add(const FunctionalSums& part, FunctionalSums& sums) {
   for (int i = 0; i < kFunctionalCount; ++i) sums.functionals[i] += part.functionals[i];
+  for (int i = 0; i < kInvariantCount; ++i) sums.invariants[i] += part.invariants[i];
   sums.parametrization += part.parametrization;
   sums.area += part.area;
   sums.gaussian += part.gaussian;
@@ -134,6 +136,9 @@ SurfaceIntegrals surface_integrals(const JetEvaluator& jets, const Points& contr
   result.gaussian = sums.gaussian;
   for (int i = 0; i < kFunctionalCount; ++i) {
     result.functionals[i] = sums.functionals[i] * area_to_the(area_power(i), result.area);
+  }
+  for (int i = 0; i < kInvariantCount; ++i) {
+    result.invariants[i] = -sums.invariants[i] * std::pow(result.area, area_exponent(static_cast<Invariant>(i)));
   }
   return result;
 }

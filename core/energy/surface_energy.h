@@ -66,7 +66,9 @@ class SurfaceEnergy {
 
 struct SurfaceIntegrals {
   std::array<double, kFunctionalCount> functionals{};  ///< with their powers of the area
-  double parametrization = 0;                          ///< integral of the parametrization's density
+  /// With their powers of the area, and with II positive where the surface bends away from its normal.
+  std::array<double, kInvariantCount> invariants{};
+  double parametrization = 0;  ///< integral of the parametrization's density
   double area = 0;
   double gaussian = 0;  ///< integral of the Gaussian curvature
 };

@@ -13,6 +13,8 @@
 /// | mvs_cross | 8 pi^4 (1 - a^2)^(-3/2), falls to 8 pi^4 as a -> 0 |
 /// | mehlum_tarrou | 9/16 mvs_cross |
 /// | second_form_variation | 3 mvs_cross |
+/// | mean_curvature_variation | mvs_cross |
+/// | curvedness_variation | 8 pi^6 a (1 + 4 a^2) (1 - a^2)^(-7/2), falls to 0 as a -> 0 |
 #pragma once
 
 #include <array>
@@ -40,7 +42,9 @@ struct TorusMinimizer {
 };
 
 /// The torus of revolution of least energy. `weights` must be usable (energy/functional.h). With weights w1 of bending
-/// and w2 of mvs_cross the ratio solves (1 - a^2)(1 - 2 a^2) / (6 pi^2 a^3) = w2/w1. Exact to rounding.
+/// and w2 of mvs_cross the ratio solves (1 - a^2)(1 - 2 a^2) / (6 pi^2 a^3) = w2/w1, and with w3 of
+/// curvedness_variation 6 pi^2 w2 a^3 + 2 pi^4 w3 a^2 (1 + 18 a^2 + 16 a^4)/(1 - a^2)^2 = w1 (1 - a^2)(1 - 2 a^2).
+/// Exact to rounding.
 TorusMinimizer torus_minimizer(const Weights& weights);
 
 }  // namespace umbilic

@@ -4,6 +4,7 @@
 #include "optimize/sobolev_form.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "optimize/covariant.h"
 #include "optimize/metric_rules.h"
@@ -14,8 +15,11 @@ namespace {
 
 double second_order_weight(const Weights& w) { return w[kBending] + w[kWillmore] / 4; }
 
+/// About a sphere curvedness_variation is H^2 area = 4 pi times mean_curvature_variation.
 double third_order_weight(const Weights& w) {
-  return w[kMvs] + w[kMvsCross] + w[kMehlumTarrou] / 2 + w[kSecondFormVariation];
+  constexpr double kCurvednessOfMean = 4 * std::numbers::pi;
+  return w[kMvs] + w[kMvsCross] + w[kMehlumTarrou] / 2 + w[kSecondFormVariation] + w[kMeanCurvatureVariation] +
+         kCurvednessOfMean * w[kCurvednessVariation];
 }
 
 /// The derivatives of order 1 to 3 at sample s, from rows d * samples + s.

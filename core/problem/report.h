@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "cage/cage.h"
+#include "energy/invariants.h"
 #include "problem/problem.h"
 #include "solve/stop_reason.h"
 
@@ -29,26 +31,47 @@ struct FunctionalValues {
   }
 };
 
+/// What values are before they are known: NaN.
+template <std::size_t count>
+constexpr std::array<double, count> unknown_values() {
+  std::array<double, count> values{};
+  values.fill(std::numeric_limits<double>::quiet_NaN());
+  return values;
+}
+
+/// A value for each invariant, by its name.
+struct InvariantValues {
+  std::array<double, kInvariantCount> values = unknown_values<kInvariantCount>();
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    for (int i = 0; i < kInvariantCount; ++i) visit(kInvariantNames[i], self.values[i], "Null where it diverges");
+  }
+};
+
 /// What is minimized where parts of a surface are held: the energies of its free faces.
 struct FreeEnergies {
-  std::array<double, kFunctionalCount> functionals{};  ///< third-order ones with the factor `area_factor`
+  /// Third-order ones with powers of `area_factor`. NaN where a report does not say.
+  std::array<double, kFunctionalCount> functionals = unknown_values<kFunctionalCount>();
   double area = 0;
   double area_factor = 0;
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     for (int i = 0; i < kFunctionalCount; ++i) {
-      visit(kFunctionalNames[i], self.functionals[i], "Over the free faces; third-order functionals with area_factor");
+      visit(kFunctionalNames[i], self.functionals[i],
+            "Over the free faces; third-order functionals with a power of area_factor");
     }
     visit("area", self.area, "Area of the free faces");
     visit("area_factor", self.area_factor,
-          "The constant factor of third-order functionals: the area of the cage's own surface");
+          "The constant area in the factors of third-order functionals: that of the cage's own surface");
   }
 };
 
 struct EnergyReport {
-  /// In the order of `Functional`; third-order values include the factor area. NaN where the quantity diverges.
-  std::array<double, kFunctionalCount> functionals{};
+  /// In the order of `Functional`; third-order values include their power of the area. NaN where the quantity diverges,
+  /// or a report does not say.
+  std::array<double, kFunctionalCount> functionals = unknown_values<kFunctionalCount>();
   double area = 0;      ///< in the units of the input; infinite or 0 where a double cannot hold it
   double gaussian = 0;  ///< integral of the Gaussian curvature
   /// |objective by the reporting rule - objective by the minimizing rule|, of the run's functional (of bending, where
@@ -60,6 +83,8 @@ struct EnergyReport {
   /// driver/input_rounding.h.
   std::optional<FunctionalValues> input_rounding{};
   std::optional<FreeEnergies> free{};  ///< if something is held
+  /// Of the whole surface, see energy/invariants.h; empty where a report does not say.
+  std::optional<InvariantValues> invariants{};
   /// Of the term that pulls the surface to the cage's own: its part of what is minimized.
   std::optional<double> closeness{};
   /// Where the surface is open: how much its boundary turns (surface/boundary_turning.h).
@@ -77,7 +102,8 @@ struct EnergyReport {
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     for (int i = 0; i < kFunctionalCount; ++i) {
-      visit(kFunctionalNames[i], self.functionals[i], "Null where it diverges; third-order functionals with the area");
+      visit(kFunctionalNames[i], self.functionals[i],
+            "Null where it diverges; third-order functionals with a power of the area");
     }
     visit("area", self.area, "Area of the surface");
     visit("gaussian", self.gaussian, "Integral of the Gaussian curvature");
@@ -89,6 +115,9 @@ struct EnergyReport {
     visit("resolved", self.resolved, "Whether the Gaussian curvature is what the topology makes it");
     visit("below_bound", self.below_bound, "Whether an energy is below what any closed surface of the genus has");
     visit("embedded", self.embedded, "Whether the Willmore energy proves that the surface does not touch itself");
+    visit("invariants", self.invariants,
+          "Third-order integrals that are odd in II, with powers of the area; II is positive where the surface bends "
+          "away from the outward normal");
     visit("input_rounding", self.input_rounding, "Relative changes by the rounding of a cage far from the origin");
   }
 };

@@ -8,7 +8,17 @@ import { jsonOf, outputOf, scratchFolder, umbilic } from './program.js';
 const scratch = scratchFolder();
 afterAll(scratch.dispose);
 
-const functionals = ['bending', 'willmore', 'mvs', 'mvs_cross', 'mehlum_tarrou', 'second_form_variation'];
+const functionals = [
+  'bending',
+  'willmore',
+  'mvs',
+  'mvs_cross',
+  'mehlum_tarrou',
+  'second_form_variation',
+  'mean_curvature_variation',
+  'curvedness_variation',
+];
+const invariants = ['gradient_form', 'variation_form', 'triple_form'];
 const energyNames = [...functionals, 'area', 'gaussian'];
 
 beforeAll(() => {
@@ -89,7 +99,9 @@ describe('evaluate', () => {
       'resolved',
       'below_bound',
       'embedded',
+      'invariants',
     ]);
+    expect(Object.keys(report.energies.invariants)).toEqual(invariants);
     expect(report).toMatchObject({ umbilic: 'evaluation', version: 1, cap: 'flat', level: 1, patches: 96 });
     expect(report.energies.gaussian).toBeCloseTo(-4 * Math.PI, 1);
     expect(report.energies.quadrature_error).toBeGreaterThanOrEqual(0);
@@ -111,7 +123,8 @@ describe('evaluate', () => {
   test('says that third-order energies diverge without a cap, and only where there is an extraordinary vertex', () => {
     const { energies } = jsonOf(['evaluate', 'cube.obj', '--cap', 'none', '--json'], scratch);
     expect(functionals.filter((name) => energies[name] === null)).toEqual(functionals.slice(2));
-    expect(outputOf(['evaluate', 'cube.obj', '--cap', 'none'], scratch).match(/diverges/g)).toHaveLength(4);
+    expect(Object.values(energies.invariants)).toEqual([null, null, null]);
+    expect(outputOf(['evaluate', 'cube.obj', '--cap', 'none'], scratch).match(/diverges/g)).toHaveLength(9);
     const torus = jsonOf(['evaluate', 'torus.obj', '--cap', 'none', '--json'], scratch).energies;
     expect(functionals.filter((name) => torus[name] === null)).toEqual([]);
   });
@@ -129,6 +142,31 @@ describe('evaluate', () => {
     expect(ratio('willmore')).toBeCloseTo(energies.willmore / (4 * Math.PI), 4);
     expect(ratio('gaussian')).toBeCloseTo(-1, 2);
     expect(table).toMatch(/quadrature error of bending: \d\.\de-\d\d/);
+    const [, odd] = table.split('invariants that change their sign with the side of the surface\n');
+    for (const name of invariants) {
+      const shown = Number(new RegExp(`^  ${name} +(\\S+)   = A`, 'm').exec(odd)?.[1]);
+      expect(Math.abs(shown / energies.invariants[name] - 1)).toBeLessThan(1e-9);
+    }
+  });
+
+  test('gives the invariants of the outward side of a closed surface, and of the side to which an open one is turned', () => {
+    const closed = outputOf(['cage', 'torus']);
+    const open = closed.replace(/\nf .*\nf .*\n/, '\n');
+    const turned = (/** @type {string} */ cage) =>
+      cage.replace(/^f (.*)$/gm, (_, corners) => `f ${corners.split(' ').reverse().join(' ')}`);
+    const energiesOf = (/** @type {string} */ input) =>
+      jsonOf(['evaluate', '-', '--json', '--levels', '1'], { input }).energies;
+    for (const [cage, side] of /** @type {Array<[string, number]>} */ ([
+      [closed, 1],
+      [open, -1],
+    ])) {
+      const [one, other] = [cage, turned(cage)].map(energiesOf);
+      for (const name of invariants) {
+        expect(Math.abs(other.invariants[name] / one.invariants[name] - side)).toBeLessThan(1e-9);
+      }
+      for (const name of functionals) expect(Math.abs(other[name] / one[name] - 1)).toBeLessThan(1e-9);
+    }
+    expect(energiesOf(closed).invariants.gradient_form).toBeGreaterThan(0);
   });
 });
 

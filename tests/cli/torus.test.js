@@ -22,6 +22,8 @@ describe('torus', () => {
       expectExact(energies.mvs_cross, cross);
       expectExact(energies.mehlum_tarrou, (9 * cross) / 16);
       expectExact(energies.second_form_variation, 3 * cross);
+      expectExact(energies.mean_curvature_variation, cross);
+      expectExact(energies.curvedness_variation, 8 * pi ** 6 * a * (1 + 4 * a ** 2) * (1 - a ** 2) ** -3.5);
     }
   });
 
@@ -51,6 +53,9 @@ describe('torus', () => {
   test('says where no torus or every torus attains the infimum', () => {
     expect(outputOf(['torus', '--functional', 'mvs_cross'])).toContain(
       'mvs_cross has the infimum 779.272728272 as r/R -> 0, which no torus attains',
+    );
+    expect(outputOf(['torus', '--functional', 'curvedness_variation'])).toContain(
+      'curvedness_variation has the infimum 0 as r/R -> 0, which no torus attains',
     );
     expect(outputOf(['torus', '--functional', 'mvs'])).toContain('mvs is 0 on every torus');
     const { minimizer } = jsonOf(['torus', '--functional', 'mvs', '--json']);

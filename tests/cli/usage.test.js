@@ -29,8 +29,17 @@ describe('help', () => {
 
   test('of optimize gives each functional its formula and each option its default', () => {
     const help = outputOf(['optimize', '--help']);
-    for (const name of ['bending', 'willmore', 'mvs', 'mvs_cross', 'mehlum_tarrou', 'second_form_variation']) {
-      expect(help).toMatch(new RegExp(`^  ${name} +(A \\* )?integral of`, 'm'));
+    for (const name of [
+      'bending',
+      'willmore',
+      'mvs',
+      'mvs_cross',
+      'mehlum_tarrou',
+      'second_form_variation',
+      'mean_curvature_variation',
+      'curvedness_variation',
+    ]) {
+      expect(help).toMatch(new RegExp(`^  ${name} +(A(\\^2)? \\* )?integral of`, 'm'));
     }
     for (const fact of ['[0..2]', '[1000]', '[1e-6]', '[smooth]', '[auto]']) expect(help).toContain(fact);
     for (const option of ['--no-symmetry', '--metric NAME', '--certify']) {

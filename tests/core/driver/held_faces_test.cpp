@@ -120,6 +120,18 @@ TEST(HeldFaces, fix_the_area_factor_of_third_order_functionals_to_that_of_the_st
   EXPECT_NE(run.energies().area, own_area);
 }
 
+TEST(HeldFaces, give_a_functional_with_the_square_of_the_area_the_square_of_that_constant) {
+  Cage cage = nearly_a_sphere(2);
+  disturb_below(cage, 0.05);
+  const umbilic::Run run = held_run(cage, held_options("curvedness_variation", 0, 3), holding(upper_faces(cage)));
+  const EnergyReport& energies = run.energies();
+  // What is minimized, by the minimizing rule, is what is reported of the free faces.
+  const double minimized = energies.free->functionals[kCurvednessVariation];
+  EXPECT_LT(energies.quadrature_error, 0.05 * minimized);
+  EXPECT_NEAR(run.result().energy_reported, minimized, 1e-12 * minimized);
+  EXPECT_GT(std::abs(energies.free->area_factor / energies.area - 1), 1e-4) << "it is not the area";
+}
+
 TEST(HeldFaces, of_what_is_free_tell_the_complement) {
   const Cage cage = nearly_a_sphere(1);
   const std::vector<int> upper = upper_faces(cage);

@@ -35,6 +35,10 @@ void expect_curvature(const Jet<double>& jet, double k1, double k2, const std::a
       values[kMehlumTarrou],
       (5 * c111 * c111 + 9 * c112 * c112 + 9 * c122 * c122 + 5 * c222 * c222 + 6 * c111 * c122 + 6 * c112 * c222) / 16,
       third);
+  const auto length2 = [](double x, double y) { return x * x + y * y; };
+  EXPECT_NEAR(values[kMeanCurvatureVariation], length2(c111 + c122, c112 + c222), third);
+  EXPECT_NEAR(values[kCurvednessVariation], length2(k1 * c111 + k2 * c122, k1 * c112 + k2 * c222),
+              third * (1 + k1 * k1 + k2 * k2));
 }
 
 TEST(Densities, of_a_torus_vary_only_by_the_derivative_of_one_curvature_along_the_other_line) {
@@ -97,6 +101,9 @@ TEST(Densities, of_an_ellipsoid_follow_from_its_support_function) {
     EXPECT_NEAR(values[kBending], 2 * (m * m + d * d), 1e-12 * m * m);
     EXPECT_NEAR(curvature(jet).p * curvature(jet).r - std::pow(curvature(jet).q, 2), gauss.c[0], 1e-12 * m * m);
     EXPECT_NEAR(values[kMvsCross], cross, 1e-10 * cross);
+    const double mean_variation = 4 * squared_gradient(mean), curvedness = squared_gradient(2 * mean * mean - gauss);
+    EXPECT_NEAR(values[kMeanCurvatureVariation], mean_variation, 1e-10 * mean_variation);
+    EXPECT_NEAR(values[kCurvednessVariation], curvedness, 1e-10 * curvedness);
   }
 }
 

@@ -59,14 +59,14 @@ TEST(Densities, do_not_depend_on_a_curved_change_of_parameters) {
   }
 }
 
-TEST(Densities, do_not_change_under_rotations_and_scale_like_length_to_the_minus_2_and_4) {
+TEST(Densities, do_not_change_under_rotations_and_scale_like_length_to_the_minus_2_4_and_6) {
   Random random(3);
   const double scale = 2.5;
   for (int trial = 0; trial < 30; ++trial) {
     Jet<double> jet = random_jet(random), moved = jet;
     for (Vec3<double>* v : vectors(moved)) *v = vec3(scale * some_rotation() * vector(*v));
     DensityValues expected = densities(jet);
-    for (int f = 0; f < kFunctionalCount; ++f) expected[f] /= std::pow(scale, is_third_order(f) ? 4 : 2);
+    for (int f = 0; f < kFunctionalCount; ++f) expected[f] /= std::pow(scale, 2 + 2 * area_power(f));
     expect_equal(expected, densities(moved), 1e-12);
     EXPECT_NEAR(curvature(moved).area, scale * scale * curvature(jet).area, 1e-12 * curvature(moved).area);
   }

@@ -23,6 +23,8 @@ inline DensityValues densities(const Curvature<double>& k) {
   values[kMvsCross] = mvs_cross_density(k, angle, 0.0, unused);
   values[kMehlumTarrou] = mehlum_tarrou_density(k, 0.0, unused);
   values[kSecondFormVariation] = second_form_variation_density(k, 0.0, unused);
+  values[kMeanCurvatureVariation] = mean_curvature_variation_density(k, 0.0, unused);
+  values[kCurvednessVariation] = curvedness_variation_density(k, 0.0, unused);
   return values;
 }
 

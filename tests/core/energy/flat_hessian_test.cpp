@@ -12,7 +12,7 @@
 namespace umbilic::test {
 namespace {
 
-constexpr Weights kBlend{0.5, 0.25, 1e-3, 2e-3, 1e-3, 3e-3};
+constexpr Weights kBlend{0.5, 0.25, 1e-3, 2e-3, 1e-3, 3e-3, 2e-3, 1e-5};
 
 /// The integral over one patch of rho |X_u x X_v| + area_slope |X_u x X_v|, with the flat cap's n frozen, and its
 /// slope along a direction.

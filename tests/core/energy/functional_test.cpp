@@ -27,7 +27,7 @@ TEST(Functional, each_name_weighs_its_own_functional) {
 TEST(Functional, an_unknown_name_is_named_and_the_known_ones_are_listed) {
   EXPECT_EQ(weights_of("bendin").error().message,
             "unknown functional \"bendin\"; known are bending, willmore, mvs, mvs_cross, mehlum_tarrou, "
-            "second_form_variation");
+            "second_form_variation, mean_curvature_variation, curvedness_variation");
   EXPECT_FALSE(weights_of("").ok());
   EXPECT_FALSE(weights_of("MVS").ok());
 }
@@ -73,7 +73,21 @@ TEST(Usable, refuses_what_is_negative_or_not_finite_and_names_the_functional) {
 TEST(Functional, third_order_begins_with_mvs) {
   EXPECT_FALSE(is_third_order(kBending));
   EXPECT_FALSE(is_third_order(kWillmore));
-  for (const int f : {kMvs, kMvsCross, kMehlumTarrou, kSecondFormVariation}) EXPECT_TRUE(is_third_order(f));
+  for (int f = kMvs; f < kFunctionalCount; ++f) EXPECT_TRUE(is_third_order(f)) << kFunctionalNames[f];
+}
+
+TEST(Functional, has_the_power_of_the_area_that_its_order_asks_and_one_has_the_square) {
+  for (int f = 0; f < kFunctionalCount; ++f) {
+    const int expected = f == kCurvednessVariation ? 2 : is_third_order(f) ? 1 : 0;
+    EXPECT_EQ(area_power(f), expected) << kFunctionalNames[f];
+    Weights weights{};
+    weights[f] = 1;
+    for (int p = 0; p < kAreaPowerCount; ++p) EXPECT_EQ(area_powers(weights).has[p], p == expected);
+    EXPECT_EQ(third_order(weights), is_third_order(f));
+  }
+  EXPECT_EQ(area_to_the(0, 0.3), 1);
+  EXPECT_EQ(area_to_the(1, 0.3), 0.3);
+  EXPECT_EQ(area_to_the(2, 0.5), 0.25);
 }
 
 }  // namespace

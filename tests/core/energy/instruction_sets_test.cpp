@@ -14,7 +14,7 @@ namespace {
 
 /// Each functional alone, then all of them.
 std::vector<Weights> all_weights() {
-  std::vector<Weights> all{{0.3, 0.2, 1e-3, 2e-3, 1e-3, 3e-3}};
+  std::vector<Weights> all{{0.3, 0.2, 1e-3, 2e-3, 1e-3, 3e-3, 2e-3, 1e-5}};
   for (int f = 0; f < kFunctionalCount; ++f) {
     Weights single{};
     single[f] = 1;
@@ -64,6 +64,9 @@ TEST(InstructionSets, agree_on_all_integrals_with_every_cap) {
       if (set == InstructionSet::kPortable) expected = value;
       for (int f = 0; f < kFunctionalCount; ++f) {
         EXPECT_NEAR(value.functionals[f] / expected.functionals[f], 1, 1e-11) << kFunctionalNames[f];
+      }
+      for (int i = 0; i < kInvariantCount; ++i) {
+        EXPECT_NEAR(value.invariants[i] / expected.invariants[i], 1, 1e-10) << kInvariantNames[i];
       }
       EXPECT_NEAR(value.area / expected.area, 1, 1e-13);
       EXPECT_NEAR(value.gaussian, expected.gaussian, 1e-11 * 4 * 3.15);

@@ -22,11 +22,13 @@ std::vector<WeightedIntegrand> integrands() {
     single.weights[f] = 1.2;
     all.push_back(single);
   }
-  all.push_back({{0.5, 0.25, 0.1, 0.2, 0.3, 0.4}, true, 2});
+  all.push_back({{0.5, 0.25, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, true, 2});
   all.push_back({{0.5, 0.25, 0, 0, 0, 0}, false, 0});
-  all.push_back({{0.5, 0, 0, 0.2, 0, 0, 0.6}, true, 2});  // with the parametrization's density
-  all.push_back({{0.5, 0.25, 0, 0, 0, 0, 0.6}, false, 0.1});
-  all.push_back({{0, 0, 0, 0, 0, 0, 1}, false, 0});
+  WeightedIntegrand even[] = {{{0.5, 0, 0, 0.2}, true, 2}, {{0.5, 0.25}, false, 0.1}, {{}, false, 0}};
+  for (WeightedIntegrand& f : even) {
+    f.weights[kParametrization] = 0.6;
+    all.push_back(f);
+  }
   return all;
 }
 
@@ -104,8 +106,8 @@ TEST(JetHessian, of_second_order_functionals_through_order_three_is_that_through
   }
 }
 
-/// Densities times area elements have degree 2 - 2k in the size of the surface, k the order, areas 2: Euler's theorem
-/// for the gradient, which has one degree less.
+/// Densities times area elements have degree -2p in the size of the surface, p the functional's power of the area:
+/// Euler's theorem for the gradient, which has one degree less.
 TEST(JetHessian, times_the_jet_is_the_gradient_times_its_degree) {
   Random random(8);
   for (int f = 0; f < kFunctionalCount; ++f) {
@@ -123,7 +125,7 @@ TEST(JetHessian, times_the_jet_is_the_gradient_times_its_degree) {
         gradient[c * derivatives + d] = vector(*vectors(slope)[d])[c];
       }
     }
-    const double degree = is_third_order(f) ? -2 : 0;
+    const double degree = -2 * area_power(f);
     EXPECT_LT((matrix * x - (degree - 1) * gradient).norm(), 1e-10 * gradient.norm()) << kFunctionalNames[f];
   }
 }

@@ -58,6 +58,13 @@ TEST(Densities, equal_difference_quotients_of_principal_curvatures_along_princip
     EXPECT_NEAR(values[kMvs], mvs, kTolerance * cross) << "at " << x << ", " << y;
     EXPECT_NEAR(values[kMvsCross], cross, kTolerance * cross);
     EXPECT_NEAR(values[kSecondFormVariation], variation, kTolerance * variation);
+    double mean = 0, curvedness = 0;
+    for (int direction = 0; direction < 2; ++direction) {
+      mean += square(slopes[0][direction] + slopes[1][direction]);
+      curvedness += square(kappa[0] * slopes[0][direction] + kappa[1] * slopes[1][direction]);
+    }
+    EXPECT_NEAR(values[kMeanCurvatureVariation], mean, kTolerance * cross);
+    EXPECT_NEAR(values[kCurvednessVariation], curvedness, kTolerance * values[kBending] * cross);
   }
 }
 

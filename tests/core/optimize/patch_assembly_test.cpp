@@ -82,7 +82,7 @@ TEST(EnergyHessian, is_the_derivative_of_the_gradient_for_every_functional) {
 
 TEST(EnergyHessian, is_the_derivative_of_the_gradient_for_blends_and_other_caps) {
   const Refined coarse = rough(*generate_cage("cube"), 1, 0.02, 1);
-  expect_derivative_of_gradient(coarse, CapKind::kSmooth, {0.5, 0.25, 0.1, 0.2, 0.3, 0.4});
+  expect_derivative_of_gradient(coarse, CapKind::kSmooth, {0.5, 0.25, 0.1, 0.2, 0.3, 0.4, 0.5, 0.01});
   expect_derivative_of_gradient(coarse, CapKind::kNone, {1, 0.5, 0, 0, 0, 0});
 }
 

@@ -63,11 +63,12 @@ Report full_report() {
                     .evaluable = false,
                     .predicted_decrease = 0.0625}};
   report.limit = {.status = LimitStatus::kNotConverging, .energy = 113, .order = kNan, .error = kNan, .lower = kNan};
-  report.energies.functionals = {1, 2, 3, 4, kNan, 6};
+  report.energies.functionals = {1, 2, 3, 4, kNan, 6, 7, 8};
   report.energies.area = 7;
   report.energies.gaussian = -8;
   report.energies.quadrature_error = 1e-17;
   report.energies.input_rounding = FunctionalValues{{1e-9, 2e-9, kNan, 0, 3e-9, 4e-9}};
+  report.energies.invariants = {{-1, 2.5, kNan}};
   report.energies.resolved = false;
   report.energies.below_bound = true;
   report.energies.embedded = true;
@@ -132,6 +133,24 @@ TEST(Text, of_a_report_reads_back_as_the_same_report) {
   EXPECT_TRUE(std::isnan(again->energies.functionals[kMehlumTarrou]));
   EXPECT_EQ(again->levels[0].stop, StopReason::kRoundOff);
   EXPECT_EQ(again->surface->points, full_report().surface->points) << "to the last bit";
+}
+
+TEST(Text, of_a_report_that_is_older_than_a_functional_leaves_its_energy_open) {
+  std::string text = report_text(full_report(), JsonPrinter::Layout::kCompact);
+  const auto take_out = [&](const std::string& member) {
+    const std::size_t at = text.find(member);
+    ASSERT_NE(at, std::string::npos) << member;
+    text.erase(at, member.size());
+  };
+  take_out("\"mean_curvature_variation\":7,");
+  take_out("\"curvedness_variation\":8,");
+  take_out("\"invariants\":{\"gradient_form\":-1,\"variation_form\":2.5,\"triple_form\":null},");
+  const Result<Report> old = parse_report(text);
+  ASSERT_TRUE(old.ok()) << old.error().message;
+  EXPECT_EQ(old->energies.functionals[kSecondFormVariation], 6);
+  EXPECT_TRUE(std::isnan(old->energies.functionals[kMeanCurvatureVariation]));
+  EXPECT_TRUE(std::isnan(old->energies.functionals[kCurvednessVariation]));
+  EXPECT_FALSE(old->energies.invariants);
 }
 
 TEST(Text, keeps_every_bit_of_a_number) {
@@ -206,7 +225,7 @@ TEST(Text, errors_name_the_member) {
       {R"({"umbilic": "problem", "version": 1, "cage": {"generator": "cube"}})", "terms: missing"},
       {R"({"umbilic": "problem", "version": 1, "cage": {"generator": "cube"}, "terms": {"bend": 1}})",
        "terms.'bend': no functional; known are bending, willmore, mvs, mvs_cross, mehlum_tarrou, "
-       "second_form_variation"},
+       "second_form_variation, mean_curvature_variation, curvedness_variation"},
       {R"({"umbilic": "problem", "version": 1, "cage": {"generator": "cube"}, "terms": {}})",
        "terms: all weights are zero"},
       {R"({"umbilic": "problem", "version": 1, "cage": {"generator": "cube"}, "terms": {"bending": -1}})",
