@@ -4,11 +4,12 @@
  * (core/problem/text.h); no code. Numbers that are not finite are null in the text and NaN here.
  */
 
-/** @typedef {'bending'|'willmore'|'mvs'|'mvs_cross'|'mehlum_tarrou'|'second_form_variation'} FunctionalName */
+// In one line, because tsc copies a union's line breaks, with their asterisks, into declarations.
+/** @typedef {'bending'|'willmore'|'mvs'|'mvs_cross'|'mehlum_tarrou'|'second_form_variation'|'mean_curvature_variation'|'curvedness_variation'} FunctionalName */
+/** Third-order integrals that are odd in II, and only evaluated. @typedef {'gradient_form'|'variation_form'|'triple_form'} InvariantName */
 /** @typedef {'none'|'flat'|'smooth'} CapName */
 /** @typedef {'auto'|'identity'|'sobolev'|'hessian'|'newton'} MetricName */
 /** @typedef {'prepare'|'minimize'|'report'|'done'} Phase */
-// In one line, because tsc copies a union's line breaks, with their asterisks, into declarations.
 /** @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'|'below_bound'|'not_resolved'} StopReason */
 
 /* ---- problems ---- */
@@ -180,11 +181,14 @@
  * `below_bound` is true if an energy is below what any closed surface of the genus has. `embedded` is true if the Willmore
  * energy proves that the surface does not touch itself. `input_rounding`, only for a cage far from the origin, is the largest
  * relative change of each functional that the rounding of the coordinates can cause. `free`, only where faces are held, is what
- * is minimized: the energies of the free faces, where third-order functionals have the constant factor `area_factor`.
- * `boundary_turning`, only of an open surface, is how much its boundary turns, with its corners.
+ * is minimized: the energies of the free faces, where third-order functionals have powers of the constant `area_factor`.
+ * `boundary_turning`, only of an open surface, is how much its boundary turns, with its corners. `invariants` are the
+ * integrals of core/energy/invariants.h, with II positive where the surface bends away from the outward normal. A stored report
+ * has neither functionals nor invariants that are newer than it.
  * @typedef {Record<FunctionalName | 'area' | 'area_factor', number>} FreeEnergies
  * @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number> & {resolved: boolean, below_bound: boolean,
- *   embedded: boolean, input_rounding?: Record<FunctionalName, number>, free?: FreeEnergies, boundary_turning?: number}} Energies
+ *   embedded: boolean, input_rounding?: Record<FunctionalName, number>, free?: FreeEnergies, boundary_turning?: number,
+ *   invariants?: Record<InvariantName, number>}} Energies
  */
 
 /**

@@ -22,6 +22,8 @@ describe('the torus', () => {
       expectExact(energies.mvs_cross, cross);
       expectExact(energies.mehlum_tarrou, (9 / 16) * cross);
       expectExact(energies.second_form_variation, 3 * cross);
+      expectExact(energies.mean_curvature_variation, cross);
+      expectExact(energies.curvedness_variation, 8 * Math.PI ** 6 * a * (1 + 4 * a ** 2) * (1 - a ** 2) ** -3.5);
     }
   });
 

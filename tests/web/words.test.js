@@ -139,10 +139,10 @@ describe('a name', () => {
   });
 
   test('and a formula belong to each functional, and a meaning to each cap', () => {
-    expect(functionals).toHaveLength(6);
-    for (const { id, formula, thirdOrder } of functionals) {
+    expect(functionals).toHaveLength(8);
+    for (const { id, formula, areaPower } of functionals) {
       expect(functionalWords(id).name.length).toBeGreaterThan(3);
-      expect(formula.startsWith('A ∫')).toBe(thirdOrder);
+      expect(/^(A²? )?∫/.exec(formula)?.[0]).toBe(['∫', 'A ∫', 'A² ∫'][areaPower]);
     }
     expect(caps.map(({ id }) => id).sort()).toEqual(['flat', 'none', 'smooth']);
   });
@@ -296,6 +296,7 @@ describe('what is said where it applies', () => {
     const changes = (second, third) => ({
       ...{ bending: second, willmore: second / 2 },
       ...{ mvs: NaN, mvs_cross: third, mehlum_tarrou: third / 3, second_form_variation: third / 2 },
+      ...{ mean_curvature_variation: third / 4, curvedness_variation: third / 5 },
     });
     expect(roundingWords(undefined)).toBe('');
     expect(roundingWords(changes(1e-14, 9e-13))).toBe('');

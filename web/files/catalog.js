@@ -18,7 +18,7 @@
  * @typedef {{name: string, genus: number, junctions: number, arms: number, cage: GeneratedCage}} CatalogShape
  */
 
-/** A quantity is null if it diverges. @typedef {Record<FunctionalName | 'area' | 'gaussian' | 'quadrature_error', number | null> & {resolved: boolean} & Partial<Pick<Energies, 'below_bound' | 'embedded'>>} EntryEnergies */
+/** A quantity is null if it diverges; an entry has no functional that is newer than it. @typedef {Partial<Record<FunctionalName, number | null>> & Record<'area' | 'gaussian' | 'quadrature_error', number | null> & {resolved: boolean} & Partial<Pick<Energies, 'below_bound' | 'embedded'>>} EntryEnergies */
 
 /**
  * Levels that an earlier version computed lack the members that came later.

@@ -42,7 +42,7 @@ export function roundingWords(changes) {
   /** @param {boolean} third the largest change of functionals of third order, or of the others */
   const largest = (third) =>
     functionals
-      .filter(({ thirdOrder }) => thirdOrder === third)
+      .filter(({ areaPower }) => areaPower > 0 === third)
       .reduce((most, { id }) => (changes[id] > most ? changes[id] : most), 0);
   const [second, third] = [largest(false), largest(true)];
   if (Math.max(second, third) <= HARMLESS) return '';

@@ -12,7 +12,7 @@
  * @property {string} short used in sums of several functionals
  * @property {string} formula
  * @property {string} taste one line: what its minimizers look like
- * @property {boolean} thirdOrder whether it integrates curvature derivatives and has the factor area A
+ * @property {0 | 1 | 2} areaPower the power of the area A that is its factor; above 0 it integrates curvature derivatives
  */
 
 /** @type {FunctionalWords[]} */
@@ -23,7 +23,7 @@ export const functionals = [
     short: 'Bending',
     formula: '∫ κ₁² + κ₂² dA',
     taste: 'Penalizes curvature itself: round and economical.',
-    thirdOrder: false,
+    areaPower: 0,
   },
   {
     id: 'willmore',
@@ -31,7 +31,7 @@ export const functionals = [
     short: 'Willmore',
     formula: '∫ H² dA',
     taste: 'A quarter of bending, up to a constant of the topology: the same minimizers.',
-    thirdOrder: false,
+    areaPower: 0,
   },
   {
     id: 'mvs',
@@ -39,7 +39,7 @@ export const functionals = [
     short: 'MVS',
     formula: 'A ∫ (dκ₁/de₁)² + (dκ₂/de₂)² dA',
     taste: 'Each principal curvature constant along its own line: spheres, tori and Dupin cyclides are free.',
-    thirdOrder: true,
+    areaPower: 1,
   },
   {
     id: 'mvs_cross',
@@ -47,7 +47,7 @@ export const functionals = [
     short: 'MVS cross',
     formula: 'A ∫ |∇κ₁|² + |∇κ₂|² dA',
     taste: 'Both principal curvatures constant in every direction: only spheres are free.',
-    thirdOrder: true,
+    areaPower: 1,
   },
   {
     id: 'mehlum_tarrou',
@@ -55,7 +55,7 @@ export const functionals = [
     short: 'Mehlum–Tarrou',
     formula: 'A ∫ mean over directions of (dκₙ/ds)² dA',
     taste: 'The variation of normal curvature, averaged over all directions.',
-    thirdOrder: true,
+    areaPower: 1,
   },
   {
     id: 'second_form_variation',
@@ -63,7 +63,23 @@ export const functionals = [
     short: 'Second form',
     formula: 'A ∫ |∇II|² dA',
     taste: 'The covariant derivative of the second fundamental form: smooth even at umbilics.',
-    thirdOrder: true,
+    areaPower: 1,
+  },
+  {
+    id: 'mean_curvature_variation',
+    name: 'Variation of mean curvature',
+    short: 'Mean curvature',
+    formula: 'A ∫ 4 |∇H|² dA',
+    taste: 'Mean curvature constant everywhere: only spheres are free, and spheres joined by thin necks come close.',
+    areaPower: 1,
+  },
+  {
+    id: 'curvedness_variation',
+    name: 'Variation of curvedness',
+    short: 'Curvedness',
+    formula: 'A² ∫ |∇ ½(κ₁² + κ₂²)|² dA',
+    taste: 'As much bending everywhere, whether round or saddle: only spheres are free, and thin tori come close.',
+    areaPower: 2,
   },
 ];
 

@@ -68,7 +68,7 @@ export function freeWords(energies, terms) {
     : [
         `Minimized over the free faces, ${freePercent(energies)} % of the area; the other rows are the whole surface’s.`,
       ];
-  if (!terms.some((id) => functionalWords(id).thirdOrder) || !(free.area_factor > 0)) return over;
+  if (!terms.some((id) => functionalWords(id).areaPower > 0) || !(free.area_factor > 0)) return over;
   return [
     ...over,
     `${over.length ? 'There A' : 'A'} is constant: A₀ = ${significant(free.area_factor)}, the area of the cage’s own surface.`,

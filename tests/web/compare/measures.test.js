@@ -112,6 +112,15 @@ describe('energies side by side', () => {
     ]);
   });
 
+  test('have no row for a functional that is newer than all entries', () => {
+    const old = entry('a', 'bending');
+    const rows = (/** @type {Array<typeof old>} */ ...entries) =>
+      energyTable(entries).filter(({ functional }) => functional === 'curvedness_variation');
+    expect(rows(old, old)).toEqual([]);
+    const now = entry('a', 'mvs', { energies: { ...energies, curvedness_variation: 7 } });
+    expect(rows(old, now)[0].cells.map(({ value }) => value)).toEqual([null, 7]);
+  });
+
   test('are both the least where they are the same to round-off', () => {
     const [first] = energyTable([
       entry('a', 'b', { energies: { ...energies, bending: 100 } }),

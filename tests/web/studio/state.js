@@ -81,6 +81,8 @@ export function energies(bending) {
     mvs_cross: 4000,
     mehlum_tarrou: 3000,
     second_form_variation: NaN,
+    mean_curvature_variation: 2000,
+    curvedness_variation: 1e5,
     area: 12,
     gaussian: -4 * Math.PI,
     quadrature_error: 0.01,

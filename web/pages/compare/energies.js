@@ -16,14 +16,16 @@ import { functionals } from '../../words/functionals.js';
 const SAME = 1e-9;
 
 /**
- * A row for each functional, a cell for each entry. Several equal energies may be the smallest; a single energy is not
- * marked.
+ * A row for each functional, a cell for each entry; no row for a functional that is newer than all entries. Several
+ * equal energies may be the smallest; a single energy is not marked.
  * @param {Array<CatalogEntry | null>} entries
  * @returns {Array<{functional: FunctionalName, cells: Cell[]}>}
  */
 export function energyTable(entries) {
-  return functionals.map(({ id }) => {
-    const values = entries.map((entry) => (entry?.minimizer ? entry.energies[id] : null));
+  const minimized = entries.flatMap((entry) => (entry?.minimizer ? [entry] : []));
+  const told = functionals.filter(({ id }) => !minimized.length || minimized.some(({ energies }) => id in energies));
+  return told.map(({ id }) => {
+    const values = entries.map((entry) => (entry?.minimizer ? (entry.energies[id] ?? null) : null));
     const known = values.filter((value) => value !== null);
     const least = Math.min(...known);
     const cells = values.map((value) => ({

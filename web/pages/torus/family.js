@@ -17,8 +17,13 @@ export const ratios = Array.from({ length: RATIO_STEPS - 1 }, (_, i) => (i + 1) 
 /** The ratio of the Clifford torus, at which bending is least. */
 export const CLIFFORD = Math.SQRT1_2;
 
-/** Limits of third-order functionals as the tube becomes thin, in words. @type {Partial<Record<FunctionalName, string>>} */
-export const thinLimits = { mvs_cross: '8π⁴', mehlum_tarrou: '9π⁴⁄2', second_form_variation: '24π⁴' };
+/** Limits of third-order functionals as the tube becomes thin, in words, where they are above 0. @type {Partial<Record<FunctionalName, string>>} */
+export const thinLimits = {
+  mvs_cross: '8π⁴',
+  mehlum_tarrou: '9π⁴⁄2',
+  second_form_variation: '24π⁴',
+  mean_curvature_variation: '8π⁴',
+};
 
 /**
  * The ratios that the paper's figure 5 prints as minimizers of w₁·bending + w₂·MVS_cross. The figure calls the first

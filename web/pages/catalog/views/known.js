@@ -84,9 +84,11 @@ function energyRow(name, formula, value, objective) {
 /** The energies of an entry's surface under every functional. @param {CatalogEntry} entry @param {CatalogFunctional} functional @returns {HTMLElement[]} */
 export function energyTable({ energies }, functional) {
   const parts = Object.entries(functional.weights);
-  const rows = functionals.map(({ id, name, formula }) =>
-    energyRow(name, formula, energies[id], parts.length === 1 && id in functional.weights),
-  );
+  const rows = functionals.flatMap(({ id, name, formula }) => {
+    const energy = energies[id];
+    if (energy === undefined) return []; // the entry is older than the functional
+    return [energyRow(name, formula, energy, parts.length === 1 && id in functional.weights)];
+  });
   if (parts.length > 1) {
     const { name, formula } = columnWords(functional);
     const sum = parts.reduce(

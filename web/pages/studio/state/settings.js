@@ -15,7 +15,16 @@ export const ACCURACIES = [0.05, 0.01, 0.003];
 /** @type {Settings} */
 export const defaultSettings = {
   functional: 'mvs_cross',
-  weights: { bending: 0.5, willmore: 0, mvs: 0, mvs_cross: 0.5, mehlum_tarrou: 0, second_form_variation: 0 },
+  weights: {
+    bending: 0.5,
+    willmore: 0,
+    mvs: 0,
+    mvs_cross: 0.5,
+    mehlum_tarrou: 0,
+    second_form_variation: 0,
+    mean_curvature_variation: 0,
+    curvedness_variation: 0,
+  },
   cap: 'smooth',
   symmetry: true,
   levels: [0, 2],

@@ -129,7 +129,8 @@ export function createObjectiveView(root, dispatch) {
     weights.hidden = settings.functional !== 'blend';
     for (const [id, inputs] of weightInputs) {
       for (const input of inputs) {
-        if (input.valueAsNumber !== settings.weights[id]) input.value = String(settings.weights[id]);
+        const weight = settings.weights[id] ?? 0; // a stored document may be older than a functional
+        if (input.valueAsNumber !== weight) input.value = String(weight);
       }
     }
     for (const input of capInputs) input.checked = input.value === settings.cap;

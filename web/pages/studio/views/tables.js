@@ -62,12 +62,17 @@ function energyRow(name, formula, now, start, objective, note = []) {
  */
 function energyRows(settings, now, start, deviation, unit) {
   const blend = settings.functional === 'blend';
-  const rows = functionals.map(({ id, name, formula }) => {
+  // A stored report may be older than a functional. With caps no energy diverges.
+  const isTold = (/** @type {number | undefined} */ value) =>
+    value !== undefined && !(Number.isNaN(value) && settings.cap !== 'none');
+  const told = functionals.filter(({ id }) => isTold(now[id]));
+  const rows = told.map(({ id, name, formula }) => {
     const objective = settings.functional === id && !now.free;
     const error = objective ? now.quadrature_error : null;
     const embedded = id === 'willmore' && now.embedded;
     const note = embedded ? [element('small', { title: embeddedWords.reason }, embeddedWords.name)] : [];
-    return energyRow(name, formula, cell(now[id], error), start ? cell(start[id], null) : [], objective, note);
+    const first = start && isTold(start[id]) ? cell(start[id], null) : [];
+    return energyRow(name, formula, cell(now[id], error), first, objective, note);
   });
   if (blend || now.free) {
     const [value, first] = [now, start].map((energies) => (energies ? objectiveValue(settings, energies) : null));
