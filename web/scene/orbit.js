@@ -30,6 +30,7 @@ export function createOrbit(element, { moved, rested }) {
   let projection = 'perspective';
   camera.position.copy(placementOf(firstCamera, camera.aspect).position);
   const controls = new OrbitControls(camera, element);
+  element.style.cursor = ''; // OrbitControls sets one, over those of the style sheet
   controls.dampingFactor = 0.12;
   let reported = firstCamera;
   /** @type {ReturnType<typeof setTimeout> | undefined} */

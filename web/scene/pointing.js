@@ -3,7 +3,7 @@
  * @file What is under a point of the picture. Points of the picture go from 0 at the left to 1 at the right, and from 0 at
  * the top to 1 at the bottom.
  */
-import { Raycaster, Vector2 } from 'three';
+import { Raycaster, Vector2, Vector3 } from 'three';
 import { boxesOf } from './boxes.js';
 import { nearestVertex, pick } from './pick.js';
 import { readingAt } from './reading.js';
@@ -53,6 +53,15 @@ export function createPointing(surface, camera) {
     cell(x, y, vertices) {
       const found = hit(x, y);
       return found && mesh && { face: found.face, vertex: nearestVertex(mesh, found, vertices) };
+    },
+
+    /** Where a vertex of the mesh is in the picture. @param {number} vertex from 0 @returns {[x: number, y: number]} NaN if it has none */
+    place(vertex) {
+      const [x, y, z] = mesh?.positions.subarray(3 * vertex, 3 * vertex + 3) ?? [];
+      surface.updateWorldMatrix(true, false);
+      camera().updateWorldMatrix(true, false);
+      const seen = new Vector3(x, y, z).applyMatrix4(surface.matrixWorld).project(camera());
+      return [(1 + seen.x) / 2, (1 - seen.y) / 2];
     },
 
     /** @param {number} x @param {number} y @returns {Reading | null} */

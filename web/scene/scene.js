@@ -5,6 +5,7 @@
 import { BufferGeometry, Mesh, Scene } from 'three';
 import { extent, setDeviations, setParts, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
+import { createHandle } from './handle.js';
 import { createMarks } from './marks.js';
 import { createSurfaceMaterial } from './material.js';
 import { createOrbit } from './orbit.js';
@@ -27,8 +28,10 @@ const RAISE = 0.035;
  * @param {boolean} options.slow drawn without graphics hardware
  * @param {(camera: Camera) => void} options.rested called when the user has moved the camera
  * @param {() => void} [options.drawn] called after each picture
+ * @param {(at: import('three').Vector3Tuple, moving: boolean) => void} [options.dragged] called with the place of the handle, in
+ *   the coordinates of the file, when the user moves it; `moving` while the hand still moves
  */
-export function createScene(canvas, { calm, slow, rested, drawn }) {
+export function createScene(canvas, { calm, slow, rested, drawn, dragged = () => {} }) {
   const scene = new Scene();
   const orbit = createOrbit(canvas, { moved: requestRender, rested });
   const { camera, controls } = orbit;
@@ -46,6 +49,18 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
   const marks = createMarks();
   stand.model.add(surface, overlays.group, marks.group);
   scene.add(stand.object);
+  const handle = createHandle(
+    canvas,
+    { scene, model: stand.model, lens: orbit.lens },
+    {
+      changed: requestRender,
+      gripped: (isHeld) => (controls.enabled = !isHeld),
+      moved([x, y, z], moving) {
+        const [cx, cy, cz] = shown?.centre ?? [0, 0, 0];
+        dragged([x + cx, y + cy, z + cz], moving);
+      },
+    },
+  );
 
   const painter = createPainter(canvas, {
     slow,
@@ -58,6 +73,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     draw(renderer) {
       if (!surface.visible) return;
       orbit.focus();
+      handle.prepare();
       renderer.render(scene, orbit.lens());
     },
     resized(width, height) {
@@ -70,7 +86,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
   let shown = null;
   /** @type {Uint8Array | null} */
   let held = null;
-  /** The vertices of the cage that are pinned, from 0. @type {number[]} */
+  /** For each pin its vertex of the cage, from 0, or -1 if it lies elsewhere. @type {number[]} */
   let pinned = [];
 
   rehearse();
@@ -81,7 +97,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
 
   /** Puts a dot at each pin of the surface. @param {core.Mesh} mesh */
   function placePins({ positions }) {
-    const known = pinned.filter((vertex) => 3 * vertex < positions.length);
+    const known = pinned.filter((vertex) => vertex >= 0 && 3 * vertex < positions.length);
     marks.setPins(Float32Array.from(known.flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)])));
   }
 
@@ -129,7 +145,8 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       pointing.set(mesh, deviations);
       const { centre, radius } = extent(like.positions);
       const [x, y, z] = centre.map((value, axis) => value + like.centre[axis] - mesh.centre[axis]);
-      stand.centre({ centre: [x, y, z], radius });
+      // A surface that moved under the hand would take the handle along.
+      if (!handle.isHeld()) stand.centre({ centre: [x, y, z], radius });
       overlays.move(mesh.centre);
       surface.visible = true;
       requestRender();
@@ -149,12 +166,44 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
       requestRender();
     },
 
-    /** Which vertices of the cage are pinned, from 0. @param {number[]} next */
+    /** For each pin its vertex of the cage, from 0, or -1 if it lies elsewhere. @param {number[]} next */
     setPins(next) {
       pinned = next;
       if (!shown) return;
       placePins(shown);
       requestRender();
+    },
+
+    /**
+     * Shows the handle at a place in the coordinates of the file, or hides it.
+     * @param {readonly number[] | null} at
+     * @param {readonly boolean[]} [free] whether each coordinate may change
+     */
+    setHandle(at, free) {
+      const [cx, cy, cz] = shown?.centre ?? [0, 0, 0];
+      handle.set(at && [at[0] - cx, at[1] - cy, at[2] - cz], free);
+      requestRender();
+    },
+
+    /** Whether the handle is under a point of the picture. */
+    handleIsAt: handle.isAt,
+
+    /**
+     * The pin whose dot is nearest to a point of the picture.
+     * @param {number} x
+     * @param {number} y
+     * @param {number} most distance, in CSS pixels
+     * @returns {number} from 0; -1 if there is none so near
+     */
+    pinAt(x, y, most) {
+      if (!shown) return -1;
+      const { clientWidth, clientHeight } = canvas;
+      const distances = pinned.map((vertex) => {
+        const [px, py] = vertex < 0 ? [NaN, NaN] : pointing.place(vertex);
+        return Math.hypot((px - x) * clientWidth, (py - y) * clientHeight);
+      });
+      const nearest = distances.reduce((best, one, i) => (one < (distances[best] ?? Infinity) ? i : best), -1);
+      return distances[nearest] <= most ? nearest : -1;
     },
 
     /** What is under a point of the picture; see pointing.js. */
@@ -184,6 +233,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
     setColours(line, accent) {
       marks.setColours(line, accent);
       overlays.setColours(line, accent);
+      handle.setColours(line, accent);
       requestRender();
     },
 
@@ -192,6 +242,7 @@ export function createScene(canvas, { calm, slow, rested, drawn }) {
 
     dispose() {
       painter.dispose();
+      handle.dispose();
       orbit.dispose();
       surfaceGeometry.dispose();
       overlays.dispose();

@@ -12,7 +12,11 @@ export const pointerWords = {
   turn: { name: 'Turn', words: '' },
   hold: { name: 'Paint', words: 'Drag over the surface to hold faces; with Shift, to free them.' },
   free: { name: 'Erase', words: 'Drag over held faces to free them; with Shift, to hold them.' },
-  pin: { name: 'Pin', words: 'Click on the surface to pin the nearest vertex of the cage where it is.' },
+  pin: {
+    name: 'Pin',
+    words:
+      'Click on the surface to pin the nearest vertex of the cage where it is. Drag the handle of a pin to move it.',
+  },
 };
 
 /** How much is held: "24 of 104 faces held". @param {number} held @param {number} faces */

@@ -215,12 +215,12 @@ function changed(state, action) {
       if (pins.some((pin) => pin.vertex === vertex)) {
         return withView(state, { said: `Vertex ${vertex} is pinned already.` });
       }
-      return withConstraints({ ...constraints, pins: [...pins, { vertex }] });
+      return withView(withConstraints({ ...constraints, pins: [...pins, { vertex }] }), { pin: pins.length });
     }
     case 'pinRemoved': {
       const { pins = [], ...rest } = constraints;
       const left = pins.filter((_, i) => i !== action.index);
-      return withConstraints(left.length ? { ...rest, pins: left } : rest);
+      return withView(withConstraints(left.length ? { ...rest, pins: left } : rest), { pin: null });
     }
     case 'copiesSwitched': {
       const { symmetric, ...rest } = constraints;

@@ -70,7 +70,7 @@ function afterCageOpened(fresh, { source }, message, cage) {
   const shown = withView(
     withDocument(fresh, { settings: { ...document.settings, ...nothingKept, origin: 'cage' }, minimizer: null }),
     // A notice about the address must stay visible when the first cage opens.
-    { boundary: null, said: '', fitDue: true, alert: document.cage ? null : view.alert },
+    { boundary: null, pin: null, said: '', fitDue: true, alert: document.cage ? null : view.alert },
   );
   if (source.kind === 'problem') return afterFileOpened(shown, source.name, message, cage);
   return withDocument(shown, { cage: { source, name: source.name, ...cage } });

@@ -74,6 +74,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       theme,
       pointer: 'turn',
       boundary: null,
+      pin: null,
       surface: null,
       before: false,
       start: null,
@@ -147,13 +148,16 @@ function again(state) {
   return beginOpening(asked, { source: cage.source, purpose: 'start', then: 'run', start: null });
 }
 
+/** Whether the hand that changes something still moves. @param {HoldAction} action */
+const isMoving = (action) => action.type === 'facesPainted' || (action.type === 'pinMoved' && Boolean(action.moving));
+
 /** @param {State} state @param {HoldAction} action @returns {State} */
 function hold(state, action) {
   const held = afterHold(state, action);
   const { phase, opening } = state.session;
   // A run goes on with what it holds; a stroke is shown by the core when it has ended, and a fill at once.
   const over = phase.name === 'resting' || (action.type === 'fillPressed' && phase.name === 'ended');
-  const waits = !over || opening?.purpose === 'cage' || action.type === 'facesPainted';
+  const waits = !over || opening?.purpose === 'cage' || isMoving(action);
   const shown = opening?.settings ?? state.document.result.settings;
   return waits || holdsTheSame(held.document.settings, shown) ? held : openPreview(held);
 }

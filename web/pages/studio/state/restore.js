@@ -35,7 +35,7 @@ export function restored(state, document, phase, then = 'hold') {
   const result = went ? upToCopy(document.result) : document.result;
   const shown = withView(
     { ...state, document: result === document.result ? document : { ...document, result } },
-    { boundary: null, said: '', fitDue: cage?.source !== state.document.cage?.source, alert: null },
+    { boundary: null, pin: null, said: '', fitDue: cage?.source !== state.document.cage?.source, alert: null },
   );
   const idle = withSession(shown, { refused: null, exporting: false, wanted: null, opening: null });
   if (!cage) return openGenerated(idle);

@@ -180,6 +180,7 @@
  * @property {'light' | 'dark' | 'system'} theme
  * @property {Pointer} pointer
  * @property {number | null} boundary the number of the one that is marked on the surface
+ * @property {number | null} pin the one that has the handle, from 0
  * @property {Surface | null} surface
  * @property {boolean} before whether the cage's own surface is shown in the place of the surface
  * @property {Start | null} start of the run that was asked last

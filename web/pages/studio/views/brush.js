@@ -13,6 +13,8 @@ const STEP = 6;
  * @typedef {object} Brush
  * @property {() => Pointer} pointer
  * @property {(x: number, y: number) => {face: number, vertex: number} | null} pick at a fraction of the canvas
+ * @property {(x: number, y: number) => boolean} isHandle whether the handle of a pin is there
+ * @property {(x: number, y: number) => number} pinAt the pin there, from 0, or -1
  */
 
 /**
@@ -21,15 +23,18 @@ const STEP = 6;
  * @param {(action: Action) => void} dispatch
  * @param {AbortSignal} signal
  */
-export function listenToBrush(canvas, { pointer, pick }, dispatch, signal) {
+export function listenToBrush(canvas, { pointer, pick, isHandle, pinAt }, dispatch, signal) {
   /** The stroke in progress. @type {{id: number, held: boolean, x: number, y: number, faces: Set<number>} | null} */
   let stroke = null;
 
-  /** @param {number} x @param {number} y as in events */
-  function under(x, y) {
+  /** A place in the picture. @param {number} x @param {number} y as in events @returns {[number, number]} */
+  function placeOf(x, y) {
     const { left, top, width, height } = canvas.getBoundingClientRect();
-    return pick((x - left) / width, (y - top) / height);
+    return [(x - left) / width, (y - top) / height];
   }
+
+  /** @param {number} x @param {number} y as in events */
+  const under = (x, y) => pick(...placeOf(x, y));
 
   /** @param {Set<number>} faces @param {boolean} held */
   const paint = (faces, held) => faces.size && dispatch({ type: 'facesPainted', faces: [...faces], held });
@@ -54,6 +59,15 @@ export function listenToBrush(canvas, { pointer, pick }, dispatch, signal) {
     if (mode === 'turn' || event.button !== 0) return;
     if (stroke) return event.stopImmediatePropagation();
     const { clientX: x, clientY: y } = event;
+    if (isHandle(...placeOf(x, y))) return;
+    if (mode === 'pin') {
+      const pin = pinAt(...placeOf(x, y));
+      if (pin >= 0) {
+        event.stopImmediatePropagation();
+        dispatch({ type: 'viewChanged', change: { pin } });
+        return;
+      }
+    }
     const hit = under(x, y);
     if (!hit) return;
     event.stopImmediatePropagation();

@@ -48,7 +48,7 @@ export function createHoldView(root, dispatch) {
     pointers.append(element('label', { title: title || 'Drag to turn the surface' }, input, element('span', {}, name)));
     input.addEventListener(
       'change',
-      () => dispatch({ type: 'viewChanged', change: { pointer: /** @type {Pointer} */ (pointer) } }),
+      () => dispatch({ type: 'viewChanged', change: { pointer: /** @type {Pointer} */ (pointer), pin: null } }),
       { signal },
     );
     return input;

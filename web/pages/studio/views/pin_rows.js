@@ -43,6 +43,7 @@ function createPinRow(first, index, dispatch, signal) {
   const labels = inputs.map((input, c) => element('label', {}, element('span', {}, 'xyz'[c]), input));
   const fields = element('span', { class: 'places', role: 'group' }, ...labels);
   const item = element('li', {}, element('span', { class: 'dot' }), name, strength, remove, fields);
+  item.addEventListener('focusin', () => dispatch({ type: 'viewChanged', change: { pin: index } }), { signal });
 
   /** @param {Pin} pin @param {PinReport | undefined} report @param {number} step */
   function showPlace(pin, report, step) {

@@ -29,6 +29,30 @@ import { listenToKeys } from '../../../views/keys.js';
 const staysInPlace = ({ cage, result }) =>
   Object.keys(result.settings.constraints).length > 0 || (cage?.counts.boundaries.length ?? 0) > 0;
 
+/** How near to a pin's dot a press takes it, in CSS pixels. */
+const PIN_REACH = 14;
+
+/**
+ * Where a pin is to be moved: `place` has NaN for coordinates that stay free, and `surface` is where its point lies now, in the
+ * coordinates of the file.
+ * @typedef {{index: number, place: number[], surface: number[]}} Handled
+ *
+ * @param {Document} document
+ * @param {Mesh} mesh of the surface
+ * @param {number} index of the pin
+ * @returns {Handled | null} null if there is no such pin, or nobody knows where it lies
+ */
+function handledPin({ settings, result }, { positions, centre }, index) {
+  const pin = settings.constraints.pins?.[index];
+  if (!pin || pin.position === false) return null;
+  const reported = result.constrained?.pins.find((one) => one.pin === index + 1 && !one.copy)?.position;
+  const first = 3 * ((pin.vertex ?? 0) - 1);
+  const known = first >= 0 && first + 2 < positions.length;
+  const own = known ? [0, 1, 2].map((axis) => positions[first + axis] + centre[axis]) : reported;
+  const place = pin.at ?? own;
+  return place ? { index, place: [...place], surface: [...(own ?? place)] } : null;
+}
+
 /**
  * @param {HTMLElement} root
  * @param {(action: Action) => void} dispatch
@@ -50,7 +74,18 @@ export function createSurfaceView(root, dispatch, pointed) {
     awaited = false;
     dispatch({ type: 'surfaceDrawn' });
   }
-  const scene = speed === 'never' ? null : createScene(canvas, { calm, slow: speed === 'slow', rested, drawn });
+  /** The pin that has the handle, as the handle finds it. @type {Handled | null} */
+  let handled = null;
+  /** @param {[number, number, number]} at @param {boolean} moving */
+  function dragged(at, moving) {
+    if (!handled) return;
+    const { index, place } = handled;
+    // A coordinate that the pin leaves free stays so.
+    const [x, y, z] = at.map((value, axis) => (Number.isFinite(place[axis]) ? value : NaN));
+    dispatch({ type: 'pinMoved', index, at: [x, y, z], moving });
+  }
+  const scene =
+    speed === 'never' ? null : createScene(canvas, { calm, slow: speed === 'slow', rested, drawn, dragged });
   find(root, '.no-webgl').hidden = Boolean(scene);
   canvas.hidden = !scene;
 
@@ -63,7 +98,8 @@ export function createSurfaceView(root, dispatch, pointed) {
   const probe = createProbe(root, canvas, { read: (x, y) => scene?.reading(x, y) ?? null, pointed });
   /** @type {Projection} */
   let projection = 'perspective';
-  const keys = { v: probe.toggle, ...cameraKeys(dispatch, () => projection) };
+  const letGo = () => dispatch({ type: 'viewChanged', change: { pin: null } });
+  const keys = { v: probe.toggle, Escape: letGo, ...cameraKeys(dispatch, () => projection) };
   listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal, keys);
   /** @type {Pointer} */
   let pointer = 'turn';
@@ -72,6 +108,10 @@ export function createSurfaceView(root, dispatch, pointed) {
     pointer: () => pointer,
     /** @param {number} x @param {number} y */
     pick: (x, y) => scene?.cell(x, y, vertices) ?? null,
+    /** @param {number} x @param {number} y */
+    isHandle: (x, y) => scene?.handleIsAt(x, y) ?? false,
+    /** @param {number} x @param {number} y */
+    pinAt: (x, y) => scene?.pinAt(x, y, PIN_REACH) ?? -1,
   };
   listenToBrush(canvas, brush, dispatch, signal);
 
@@ -80,11 +120,19 @@ export function createSurfaceView(root, dispatch, pointed) {
   const setHeld = whenChanged((/** @type {Parameters<typeof shownHeld>} */ ...asked) => {
     const held = shownHeld(...asked);
     scene?.setHeld(held.some(Boolean) ? held : null);
-    scene?.setPins((asked[0].pins ?? []).flatMap(({ vertex }) => (vertex ? [vertex - 1] : [])));
+    scene?.setPins((asked[0].pins ?? []).map(({ vertex }) => (vertex ?? 0) - 1));
   });
   const setSurface = whenChanged(
     (/** @type {Mesh} */ mesh, /** @type {Float32Array | null} */ deviations, /** @type {Mesh} */ like) =>
       scene?.setSurface(mesh, deviations, like),
+  );
+  const setHandle = whenChanged(
+    (/** @type {number | null} */ index, /** @type {Document} */ document, /** @type {Surface} */ { limit }) => {
+      handled = index === null ? null : handledPin(document, limit, index);
+      const free = handled?.place.map((x) => Number.isFinite(x));
+      const where = handled?.place.map((x, axis) => (Number.isFinite(x) ? x : (handled?.surface[axis] ?? 0)));
+      scene?.setHandle(where ?? null, free);
+    },
   );
   const boundaryEdges = createBoundaryEdges();
   const setMarked = whenChanged(
@@ -147,6 +195,7 @@ export function createSurfaceView(root, dispatch, pointed) {
       setHeld(document.settings.constraints, cageOnScreen(document), heldWithCopies(document));
       const { limit, density, deviations } = view.before && start ? { ...start, deviations: null } : view.surface;
       setSurface(limit, deviations, staysInPlace(document) ? view.surface.limit : limit);
+      setHandle(view.pin, document, view.surface);
       setMarked(view.boundary, document.cage, document.result.taken, limit);
       awaitPicture(view.surface, view.coarse);
       const control = view.cage && limit === view.surface.limit ? view.surface.control : null;
