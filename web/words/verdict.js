@@ -138,8 +138,10 @@ function folded({ levels, stop }) {
 function minimized(outcome) {
   const { limit, certificate } = outcome;
   if (certificate && certificate.negative > 0) {
-    const directions = counted(certificate.negative, 'direction lowers', 'directions lower');
-    return { sentence: `Not a minimum${knownWords(outcome)}; ${directions} the energy.`, wishes: ['descend'] };
+    return {
+      sentence: `Not a minimum${knownWords(outcome)}; ${loweringWords(certificate)} the energy.`,
+      wishes: ['descend'],
+    };
   }
   if (limit?.status === 'not_converging') return unsettled(outcome, limit);
   const proved = certificate !== null;
@@ -194,6 +196,9 @@ function accuracyOf({ limit, levels, accuracy }) {
   }
 }
 
+/** @param {CertificateReport} certificate */
+const loweringWords = ({ negative }) => counted(negative, 'direction lowers', 'directions lower');
+
 /** The energy, as well as it is known. @param {Outcome} outcome */
 function knownWords({ limit, accuracy }) {
   if (!limit || !Number.isFinite(limit.energy)) return '';
@@ -224,10 +229,17 @@ function unsettled({ levels }, { energy }) {
 }
 
 /** A minimizer of the catalog, of which the catalog knows more than its run. @param {Outcome} outcome @param {EntryStatus} status @returns {Finding} */
-function ofTheCatalog({ limit }, status) {
+function ofTheCatalog({ limit, certificate }, status) {
+  const within = status === 'converged' && limit ? withinWords(limit, null) : '';
+  if (certificate && certificate.negative > 0) {
+    return {
+      sentence: `The catalog’s minimizer with this symmetry${within}; without it, ${loweringWords(certificate)} the energy.`,
+      wishes: ['descend'],
+    };
+  }
   switch (status) {
     case 'converged':
-      return { sentence: `The catalog’s minimizer${limit ? withinWords(limit, null) : ''}.`, wishes: [] };
+      return { sentence: `The catalog’s minimizer${within}.`, wishes: [] };
     case 'zero_attained':
       return { sentence: 'The catalog’s minimizer: it has none of this energy, and no surface has less.', wishes: [] };
     case 'infimum_not_attained':

@@ -39,11 +39,14 @@ const seeksTheSame = (one, other) =>
   JSON.stringify(activeWeights(one)) === JSON.stringify(activeWeights(other)) &&
   holdsTheSame(one, other);
 
-/** Whether the result can be gone on from as it was asked for: nothing runs, and nothing else is asked for by now. @param {State} state */
-function canGoOn({ document, session }) {
-  const { settings, result, cage } = document;
+/** Whether the result is what is asked for by now. @param {State} state */
+const isAsked = ({ document: { settings, result } }) => seeksTheSame(settings, result.settings);
+
+/** Whether the result is that of a run that can be gone on from: nothing runs, and nothing else is asked for. @param {State} state */
+function canGoOn(state) {
+  const { document, session } = state;
   const still = session.phase.name === 'ended' && !session.opening && !certifyingOf(session.phase);
-  return still && cage !== null && !result.catalogs && seeksTheSame(settings, result.settings);
+  return still && document.cage !== null && !document.result.catalogs && isAsked(state);
 }
 
 /** The finest level that a run has ended. @param {Result} result */
@@ -68,7 +71,7 @@ function possible(state) {
     ...(usable && canGoOnFromSurface(state) ? ['goOn'] : []),
     // The core gives no certificate with flat caps.
     ...(canGoOn(state) && canBeCertified(state) && cap !== 'flat' ? ['check'] : []),
-    ...(canGoOn(state) && canDescend(state) ? ['descend'] : []),
+    ...(isAsked(state) && canDescend(state) ? ['descend'] : []),
   ]);
 }
 
