@@ -61,7 +61,7 @@ describe('what does not load is said, with another try:', () => {
     await status(page, /^Ready/);
     await page.unroute('**/catalog.json');
     await button(page, 'Try again').click();
-    await status(page, /^From the catalog/);
+    await status(page, /^The catalog’s /);
     await page.context().close();
   });
 

@@ -185,12 +185,12 @@ describe('the limit of the levels', () => {
     ['not_minimized', NaN, /ended early/],
     ['not_resolved', NaN, /not the surface’s/],
     ['not_comparable', NaN, /its own weight/],
-    ['not_converging', 0.4, /no asymptotic range \(observed order 0\.4\)/],
-    ['not_converging', NaN, /no asymptotic range\.$/],
+    ['not_converging', 0.4, /do not settle \(observed order 0\.4\)$/],
+    ['not_converging', NaN, /do not settle$/],
   ])('that there is none of says why: %s', (status, order, reason) => {
     const { value, error, words } = limitWords({ ...noLimit(), status: /** @type {any} */ (status), order });
     expect([value, error]).toEqual(['', '']);
-    expect(words).toMatch(/^No error bar: .*\.$/);
+    expect(words).toMatch(/^\p{Ll}.*[^.]$/u);
     expect(words).toMatch(reason);
   });
 });

@@ -17,11 +17,11 @@ export const metricWords = { identity: 'Euclidean', sobolev: 'Sobolev', hessian:
 /**
  * How the error of the energy was told from the levels, or why it was not: a detail beside the verdict.
  * @param {Limit} limit
- * @returns {{value: string, error: string, words: string}} `value` and `error` are empty if there is none
+ * @returns {{value: string, error: string, words: string}} `value` and `error` are empty if there is none, and `words` say why
  */
 export function limitWords({ status, energy, order, error, lower }) {
   /** @param {string} words */
-  const none = (words) => ({ value: '', error: '', words: `No error bar: ${words}.` });
+  const none = (words) => ({ value: '', error: '', words });
   const observed = Number.isFinite(order) ? `observed order ${order.toFixed(1)}` : 'the last levels agree';
   switch (status) {
     case 'converging': {
@@ -37,7 +37,9 @@ export function limitWords({ status, energy, order, error, lower }) {
     case 'not_comparable':
       return none('each level is pulled with its own weight');
     case 'not_converging':
-      return none(`the last three levels are in no asymptotic range${Number.isFinite(order) ? ` (${observed})` : ''}`);
+      return none(
+        `the energies or the surfaces of the last three levels do not settle${Number.isFinite(order) ? ` (${observed})` : ''}`,
+      );
   }
 }
 

@@ -145,65 +145,58 @@ function minimized(outcome) {
   }
   if (limit?.status === 'not_converging') return unsettled(outcome, limit);
   const proved = certificate !== null;
-  const { known, wishes } = accuracyOf(outcome);
+  const { where, known, wishes } = accuracyOf(outcome);
   return {
-    sentence: `${proved ? minimumWords(outcome) : minimizedWords(outcome)}${known}.`,
+    sentence: `${proved ? 'A minimum' : 'Minimized'}${where}${heldWords[outcome.held]}${known}.`,
     wishes: proved ? wishes.filter((wish) => wish !== 'check') : wishes,
   };
 }
+
+/** @type {Record<Outcome['held'], string>} */
+const heldWords = { nothing: '', boundary: ' with its boundary kept', part: ' around what is held' };
 
 /** @param {Limit} limit */
 const energyOf = ({ energy, error }) =>
   Number.isFinite(error) ? withError(energy, error, ERROR_DIGITS).value : number(energy);
 
-/** @param {Outcome} outcome */
-function minimizedWords({ held }) {
-  if (held === 'part') return 'Minimized around what is held';
-  return held === 'boundary' ? 'Minimized with its boundary kept' : 'Minimized';
-}
-
-/** @param {Outcome} outcome */
-function minimumWords({ held }) {
-  if (held === 'part') return 'A minimum around what is held';
-  return held === 'boundary' ? 'A minimum with its boundary kept' : 'A minimum';
-}
-
-/** How well the energy is known, after a colon or a comma. @param {Outcome} outcome @returns {{known: string, wishes: Next[]}} */
-function accuracyOf({ limit, levels, accuracy }) {
-  if (!limit || !Number.isFinite(limit.energy)) return { known: '', wishes: ['check'] };
-  const value = energyOf(limit);
-  switch (limit.status) {
+/**
+ * How well the energy is known: on which mesh, and the words after a colon.
+ * @param {Outcome} outcome
+ * @returns {{where: string, known: string, wishes: Next[]}}
+ */
+function accuracyOf({ limit, levels, accuracy, energy }) {
+  // Levels that only prepare have no limit, nor an energy that stands in for it.
+  const value = limit && Number.isFinite(limit.energy) ? energyOf(limit) : number(energy);
+  switch (limit?.status) {
     case 'converging':
-      return { known: withinWords(limit, accuracy), wishes: ['check'] };
+      return { where: '', known: withinWords(limit, accuracy), wishes: ['check'] };
     case 'too_few_levels': {
       const missing = ENOUGH_LEVELS - evaluated(levels).length;
       const meshes = missing > 1 ? `${missing} finer meshes` : 'a finer mesh';
-      return {
-        known: ` on this mesh: ${value}; its accuracy takes ${meshes} to tell`,
-        wishes: ['finer', 'check'],
-      };
+      const known = `: ${value}; its accuracy takes ${meshes} to tell`;
+      return { where: ' on this mesh', known, wishes: ['finer', 'check'] };
     }
-    case 'not_comparable':
-      return {
-        known: ` within the distance: ${value}; every mesh is pulled differently, so its accuracy is not known`,
-        wishes: ['check'],
-      };
+    case 'not_comparable': {
+      const known = `: ${value}; every mesh is pulled differently, so its accuracy is not known`;
+      return { where: ' within the distance', known, wishes: ['check'] };
+    }
+    case 'not_minimized': {
+      const known = `: ${value}; its accuracy is not known, since a coarser mesh ended early`;
+      return { where: ' on this mesh', known, wishes: ['finer', 'check'] };
+    }
     default:
-      return {
-        known: ` on this mesh: ${value}; its accuracy is not known, since a coarser mesh ended early`,
-        wishes: ['finer', 'check'],
-      };
+      return { where: '', known: Number.isFinite(energy) ? `: ${value}` : '', wishes: ['check'] };
   }
+}
+
+/** The energy, as well as it is known, after a colon. @param {Outcome} outcome */
+function knownWords({ limit, accuracy, energy }) {
+  if (limit?.status === 'converging') return withinWords(limit, accuracy);
+  return `: ${limit && Number.isFinite(limit.energy) ? energyOf(limit) : number(energy)} on this mesh`;
 }
 
 /** @param {CertificateReport} certificate */
 const loweringWords = ({ negative }) => counted(negative, 'direction lowers', 'directions lower');
-
-/** The energy, as well as it is known. @param {Outcome} outcome */
-function knownWords({ limit, accuracy }) {
-  if (!limit || !Number.isFinite(limit.energy)) return '';
-  return limit.status === 'converging' ? withinWords(limit, accuracy) : `: ${number(limit.energy)} on this mesh`;
-}
 
 /** @param {Limit} limit that is converging @param {number | null} accuracy */
 function withinWords(limit, accuracy) {

@@ -312,7 +312,7 @@ describe('a run', () => {
   test('ends with its reason in words', () => {
     const state = ended();
     expect(leaves(state)).toMatchObject({ status: 'ended', stop: 'converged', saved: { state: surfaceState(2, 9) } });
-    expect(statusSentence(state)).toBe('Minimized.');
+    expect(statusSentence(state)).toBe('Minimized: 146.0.');
     expect(working(state)).toEqual(['Start', 'Step', 'Reset']);
   });
 

@@ -109,6 +109,22 @@ const states = [
     'Go one level finer',
   ],
   [
+    'one level, which only prepares',
+    over({ levels: [levelReport(0, { evaluable: false })], limit: limit({ energy: NaN }) }),
+    'Minimized on this mesh: 146.0; its accuracy takes 3 finer meshes to tell.',
+    'Go one level finer',
+  ],
+  [
+    'a part held on one level',
+    over({
+      levels: [levelReport(0)],
+      limit: noLimit(),
+      settings: { constraints: { hold: { faces: [1] } } },
+    }),
+    'Minimized on this mesh around what is held: 120.1; its accuracy takes 2 finer meshes to tell.',
+    'Go one level finer',
+  ],
+  [
     'one level, the finest of all',
     over({ levels: [levelReport(MAX_LEVEL)], limit: noLimit() }),
     /^Minimized on this mesh: 120\.1; /,

@@ -22,7 +22,9 @@ export function createLimitView(root) {
         const { value, error, words } = limitWords(limit);
         const number = error ? `${value} ± ${error}` : value;
         lines.push(
-          value ? [termButton('limit'), ' of the levels: ', element('strong', {}, number), `, ${words}.`] : [words],
+          value
+            ? [termButton('limit'), ' of the levels: ', element('strong', {}, number), `, ${words}.`]
+            : [termButton('error-bar', 'No error bar'), `: ${words}.`],
         );
       }
       if (integration !== null)
