@@ -12,11 +12,11 @@ import {
   energies,
   evaluated,
   measured,
-  openDetails,
+  minimized,
   openAddress,
+  openDetails,
   screenshots,
   status,
-  minimized,
 } from './page.js';
 import { cameraRests, difference, pictureOf } from './pictures.js';
 import { servedPage } from './served.js';

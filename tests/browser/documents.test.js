@@ -7,14 +7,14 @@ import { describe, expect, test } from '@jest/globals';
 import { fish } from './fish.js';
 import {
   downloadedText,
-  dropFile,
   drawn,
+  dropFile,
   evaluated,
   measured,
+  minimized,
   openPage as open,
   progress,
   status,
-  minimized,
 } from './page.js';
 import { servedPage } from './served.js';
 

@@ -7,7 +7,7 @@ import path from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { Cage, load } from '../../wasm/umbilic.js';
 import { recordFrames, recordedFrames } from './frames.js';
-import { drawn, dropFile, openPage, screenshots, status, minimized } from './page.js';
+import { drawn, dropFile, minimized, openPage, screenshots, status } from './page.js';
 import { difference, pictureOf } from './pictures.js';
 import { servedPage } from './served.js';
 

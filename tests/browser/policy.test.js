@@ -5,7 +5,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { builtPage, download, dropFile, measured, openAddress, status, minimized } from './page.js';
+import { builtPage, download, dropFile, measured, minimized, openAddress, status } from './page.js';
 import { fish } from './fish.js';
 import { servedPage } from './served.js';
 

@@ -14,11 +14,11 @@ import {
   dropFile,
   evaluated,
   measured,
+  minimized,
   openAddress,
   openPage,
   progress,
   status,
-  minimized,
 } from './page.js';
 import { servedPage } from './served.js';
 

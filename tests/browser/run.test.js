@@ -11,17 +11,17 @@ import {
   dropFile,
   energies,
   evaluated,
-  openAdvanced,
-  openDetails,
   look,
   measured,
+  minimized,
+  openAdvanced,
+  openDetails,
   openPage,
   parseProgress,
   progress,
   recordProgress,
   screenshots,
   status,
-  minimized,
 } from './page.js';
 import { servedPage } from './served.js';
 

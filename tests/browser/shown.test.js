@@ -5,7 +5,7 @@
  */
 import path from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { drawn, look, openAddress, openPage, screenshots, status, minimized } from './page.js';
+import { drawn, look, minimized, openAddress, openPage, screenshots, status } from './page.js';
 import { difference } from './pictures.js';
 import { servedPage } from './served.js';
 

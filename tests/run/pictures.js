@@ -6,7 +6,7 @@
 import { mkdirSync } from 'node:fs';
 import path from 'node:path';
 import { launchBrowser } from '../browser/browser.js';
-import { builtPage, openPage, status, minimized, openAdvanced } from '../browser/page.js';
+import { builtPage, minimized, openAdvanced, openPage, status } from '../browser/page.js';
 import { serve } from '../browser/site.js';
 import { build } from './build.js';
 import { installPackages, installTools } from './install.js';
