@@ -141,8 +141,10 @@ describe('from the home page', () => {
     const { page } = await openAddress(served.browser, `${served.url}studio.html#open`);
     const invitation = page.getByRole('dialog', { name: 'Open a cage of your own' });
     await invitation.waitFor();
+    const asked = page.waitForEvent('filechooser'); // which the browser must know of before the key is pressed
     await measured(page);
-    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
+    await page.keyboard.press('Enter');
+    const chooser = await asked;
     await chooser.setFiles({ name: 'mine.obj', mimeType: 'model/obj', buffer: Buffer.from(frame) });
     await page.locator('.facts').filter({ hasText: 'mine.obj' }).waitFor();
     await page.goto('about:blank');
