@@ -14,7 +14,7 @@ import { servedPage } from './served.js';
 const served = servedPage();
 const dialogOf = (/** @type {Page} */ page) => page.getByRole('dialog', { name: 'What the terms mean' });
 
-test.each(['index.html', 'compare.html?entries=two-3.bending', 'torus.html', 'studio.html'])(
+test.each(['index.html', 'compare.html?entries=two-3.bending', 'torus.html', 'methods.html', 'studio.html'])(
   '%s has it, by a button and by a key, with all its terms',
   async (address) => {
     const { page, errors } = await openAddress(served.browser, served.url + address, {
