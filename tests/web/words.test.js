@@ -2,10 +2,12 @@
 /**
  * @file Numbers and names as the page prints them.
  */
+import { existsSync } from 'node:fs';
 import { describe, expect, test } from '@jest/globals';
 import { cageWords, stemOf } from '../../web/words/cages.js';
 import { energyWarnings, roundingWords } from '../../web/words/energies.js';
-import { caps, functionals, functionalWords } from '../../web/words/functionals.js';
+import { SHAPES } from '../../web/pages/studio/views/examples.js';
+import { blendWords, caps, functionals, functionalWords } from '../../web/words/functionals.js';
 import {
   certificateDetails,
   certificateWords,
@@ -136,6 +138,16 @@ describe('a name', () => {
     expect(stemOf('C:\\cages\\my cage (1).OFF')).toBe('my-cage-1');
     expect(stemOf('/a/b/übung.obj')).toBe('übung');
     expect(stemOf('???')).toBe('cage');
+  });
+
+  test('of a functional comes with what it prefers, and with pictures that the catalog has', () => {
+    const pictures = new URL('../../web/catalog/pictures/', import.meta.url);
+    for (const { prefers, pictured } of [...functionals, blendWords]) {
+      expect(prefers).toMatch(/^\p{Lu}.*\.$/u);
+      for (const shape of pictured ? SHAPES : []) {
+        expect(existsSync(new URL(`${shape}.${pictured}.webp`, pictures))).toBe(true);
+      }
+    }
   });
 
   test('and a formula belong to each functional, and a meaning to each cap', () => {

@@ -36,7 +36,8 @@ export function createExamplesView(root) {
     setText(words, prefers);
     setText(find(root, '#formula-words'), taste);
     setText(formula, chosen?.formula ?? '');
-    pictures.replaceChildren(...SHAPES.map((shape) => example(shape, pictured)));
+    pictures.hidden = pictured === null;
+    pictures.replaceChildren(...(pictured === null ? [] : SHAPES.map((shape) => example(shape, pictured))));
   });
   return {
     /** @param {State} state */
