@@ -12,6 +12,7 @@ import { createTableView } from './pages/compare/views/table.js';
 import { createToolsView } from './pages/compare/views/tools.js';
 import { createCopyView } from './views/copy.js';
 import { find } from './views/dom.js';
+import { createGlossaryView } from './views/glossary.js';
 import { createKeyListView } from './views/key_list.js';
 import { createLegendView } from './views/legend.js';
 import { createNoticesView } from './views/page_notices.js';
@@ -45,6 +46,7 @@ function dispatch(action) {
 
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
+createGlossaryView(find(document, '.top'));
 createKeyListView(find(document, '.top'), keyGroups.compare);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
 /** Curvatures are in units of that of a sphere with the same area. */

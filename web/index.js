@@ -15,6 +15,7 @@ import { createFiltersView } from './pages/catalog/views/filters.js';
 import { createReadingView } from './pages/catalog/views/reading.js';
 import { createTableView } from './pages/catalog/views/table.js';
 import { find } from './views/dom.js';
+import { createGlossaryView } from './views/glossary.js';
 import { createKeyListView } from './views/key_list.js';
 import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
@@ -47,6 +48,7 @@ function dispatch(action) {
 
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
+createGlossaryView(find(document, '.top'));
 createKeyListView(find(document, '.top'), keyGroups.catalog);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
 const views = [

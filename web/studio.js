@@ -25,7 +25,9 @@ import { createDownloadsView } from './pages/studio/views/downloads.js';
 import { createDropView, createFileTaker } from './pages/studio/views/drop.js';
 import { createEditView } from './pages/studio/views/edit.js';
 import { createEntryView } from './pages/studio/views/entry.js';
+import { createExamplesView } from './pages/studio/views/examples.js';
 import { createHeldKeyView, createHoldView } from './pages/studio/views/hold.js';
+import { createInvitation, INVITED } from './pages/studio/views/invitation.js';
 import { createLimitView } from './pages/studio/views/limit.js';
 import { createAlertView } from './pages/studio/views/notices.js';
 import { createObjectiveView } from './pages/studio/views/objective.js';
@@ -39,6 +41,7 @@ import { createEnergiesView, createLevelsView } from './pages/studio/views/table
 import { createUndrawnView } from './pages/studio/views/undrawn.js';
 import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
+import { createGlossaryView } from './views/glossary.js';
 import { createKeyListView } from './views/key_list.js';
 import { createLegendView } from './views/legend.js';
 import { createMenus } from './views/menu.js';
@@ -134,6 +137,8 @@ const takeFiles = createFileTaker({
 });
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
+if (location.hash === INVITED) createInvitation(() => byId('file').click());
+createGlossaryView(find(document, '.top'));
 createKeyListView(find(document, '.top'), keyGroups.studio);
 const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), (chosen) =>
   dispatch({ type: 'viewChanged', change: { theme: chosen } }),
@@ -166,6 +171,7 @@ const plain = [
   createClosenessView(byId('closeness'), dispatch),
   createHeldKeyView(byId('held-key')),
   createObjectiveView(byId('objective'), dispatch),
+  createExamplesView(byId('objective')),
   createRunView(byId('run'), dispatch),
   createShowView(byId('show'), dispatch),
   createBeforeView(byId('surface'), dispatch),

@@ -12,6 +12,7 @@ import { createNumbersView } from './pages/torus/views/numbers.js';
 import { createRatioPlotView } from './pages/torus/views/ratio_plot.js';
 import { createCopyView } from './views/copy.js';
 import { find } from './views/dom.js';
+import { createGlossaryView } from './views/glossary.js';
 import { createKeyListView } from './views/key_list.js';
 import { createNoticesView } from './views/page_notices.js';
 import { createThemeView } from './views/theme.js';
@@ -41,6 +42,7 @@ function dispatch(action) {
 
 /** @param {string} id */
 const byId = (id) => find(document, `#${id}`);
+createGlossaryView(find(document, '.top'));
 createKeyListView(find(document, '.top'), keyGroups.torus);
 const theme = createThemeView(find(document, '#theme'), (chosen) => dispatch({ type: 'themeChosen', theme: chosen }));
 /** @type {Array<{update: (shown: typeof state) => void}>} */

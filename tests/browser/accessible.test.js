@@ -9,7 +9,18 @@ import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { readTexts } from './contrast.js';
 import { fish } from './fish.js';
-import { allPixels, drawn, dropFile, measured, openAddress, screenshots, status } from './page.js';
+import {
+  allPixels,
+  drawn,
+  dropFile,
+  measured,
+  minimized,
+  openAddress,
+  openAdvanced,
+  openDetails,
+  screenshots,
+  status,
+} from './page.js';
 import { plate } from './plate.js';
 import { servedPage } from './served.js';
 
@@ -33,8 +44,17 @@ async function minimize(page) {
   await measured(page);
   await page.locator('[name=functional]').selectOption('bending');
   await page.locator('#primary').click();
-  await status(page, /^(Converged|Round-off)/, 60_000);
+  await status(page, minimized, 60_000);
   await page.locator('#downloads [name=save]:not([aria-disabled=true])').waitFor();
+}
+
+/** @param {Page} page */
+async function details(page) {
+  await minimize(page);
+  await openAdvanced(page);
+  await openDetails(page);
+  await page.locator('#next').click(); // the check
+  await page.locator('#certificate summary').click();
 }
 
 /** Holds a group and the faces around it, and pins a vertex. @param {Page} page */
@@ -83,10 +103,27 @@ const states = [
     'index.html?entry=cube-frame.mvs',
     (page) => page.locator('#details[open] h2').first().waitFor(),
   ],
+  [
+    'the invitation to open a cage',
+    'studio.html#open',
+    async (page) => {
+      await measured(page);
+      await page.locator('#invitation').waitFor();
+    },
+  ],
   ['the studio with a notice', 'studio.html', breakFile],
   ['the studio with held parts', 'studio.html', hold],
   ['the studio with boundaries', 'studio.html', fillAndRefuse],
   ['the studio after a run', 'studio.html', minimize],
+  ['the studio with all details open', 'studio.html', details],
+  [
+    'the glossary at a term',
+    'studio.html',
+    async (page) => {
+      await measured(page);
+      await page.getByRole('button', { name: 'Genus' }).click();
+    },
+  ],
   [
     'the comparison with a notice',
     'compare.html?entries=two-3.bending,two-99.bending&shading=red',
@@ -162,6 +199,7 @@ describe.each(/** @type {const} */ (['light', 'dark']))('in %s', (colorScheme) =
     });
     await measured(page);
     await page.locator('[name=functional]').selectOption('bending'); // which can do without a cap
+    await openAdvanced(page);
     const segments = page.locator('.segments label');
     const count = await segments.count();
     expect(count).toBeGreaterThanOrEqual(7); // families, caps, origins

@@ -38,7 +38,7 @@ async function openCage(name, text, more = {}) {
 /** @param {Page} page */
 async function minimize(page) {
   await page.getByRole('button', { name: 'Start', exact: true }).click();
-  await status(page, /^(Converged|Round-off|Iteration limit)/, 60_000);
+  await status(page, /^(Minimized|The energy|Stopped after)/, 60_000);
 }
 
 /** The energies at the end of a problem's run in this process. @param {Problem} problem */

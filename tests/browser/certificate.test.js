@@ -5,7 +5,17 @@
  */
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { allPixels, downloadedText, measured, openPage, screenshots, status } from './page.js';
+import {
+  allPixels,
+  downloadedText,
+  measured,
+  minimized,
+  openAdvanced,
+  openDetails,
+  openPage,
+  screenshots,
+  status,
+} from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -22,11 +32,11 @@ async function choose(page, shape, functional) {
 /** @param {Page} page */
 async function minimize(page) {
   await page.locator('#primary').click();
-  await status(page, /^(Converged|Round-off)/, 60_000);
+  await status(page, minimized, 60_000);
 }
 
 /** @param {Page} page */
-const certify = (page) => page.getByRole('button', { name: 'Certify' });
+const certify = (page) => page.locator('#certificate .row button');
 /** @param {Page} page */
 const answer = (page) => page.locator('#certificate [role=status]');
 
@@ -47,6 +57,7 @@ describe('symmetry', () => {
     for (const expected of [true, false]) {
       expect(await keep.isChecked()).toBe(expected);
       await minimize(page);
+      await page.locator('#levels tbody tr').first().waitFor({ state: 'attached' });
       const title = await page.locator('#levels tbody tr').first().getAttribute('title');
       unknowns.push(Number(/(\d+) unknowns/.exec(title ?? '')?.[1]));
       await page.getByRole('button', { name: 'Reset' }).click();
@@ -70,11 +81,12 @@ describe('the limit', () => {
     const { page } = await openPage(served.browser, served.url);
     await choose(page, 'torus', 'bending');
     await minimize(page);
-    const text = await page.locator('#limit').innerText();
+    await openDetails(page);
+    const text = await page.locator('#limit p').first().innerText();
     const [value, error] = text.match(/[\d.]+/g)?.map(Number) ?? [];
     // The bar ends at the energy of Clifford's torus, below which no torus is.
     expect(text).toMatch(
-      /^Limit \d+\.\d+ ± 0\.00\d\d, observed order \d\.\d, but not below 78\.95683, as no surface is$/,
+      /^Limit of the levels: \d+\.\d+ ± 0\.00\d\d, observed order \d\.\d, but not below 78\.95683, as no surface is\.$/,
     );
     expect(Math.abs(value - 8 * Math.PI ** 2)).toBeLessThanOrEqual(error); // Clifford's torus
     const metrics = await page.locator('#levels tbody td:nth-child(5)').allInnerTexts();
@@ -88,7 +100,12 @@ describe('the limit', () => {
     await page.locator('[name=last]').selectOption('1');
     await measured(page);
     await minimize(page);
-    expect(await page.locator('#limit').innerText()).toBe('One more level gives an error bar.');
+    expect(await page.locator('#status').innerText()).toMatch(/takes a finer mesh to tell\.$/);
+    await page.getByRole('button', { name: 'Go one level finer' }).click();
+    await status(page, /^Minimized: 78\.9\d*, within 0\.\d+\u202f%\.$/, 60_000);
+    expect(await page.locator('[name=last]').inputValue()).toBe('2');
+    await openDetails(page);
+    expect(await page.locator('#levels tbody tr').count()).toBe(3);
     await page.context().close();
   }, 60_000);
 });
@@ -104,9 +121,12 @@ describe('a certificate', () => {
     await page.keyboard.press('Enter');
     await answer(page).filter({ hasText: 'lower' }).waitFor();
     expect(await answer(page).textContent()).toMatch(
-      /^\d+ directions lower the energy: a minimum only within its symmetry \(D3h\)\. 282 unknowns, τ\s=\s0\.001$/,
+      /^No: \d+ directions lower the energy, and break its symmetry \(D3h\)\.$/,
     );
+    expect(await page.locator('#certificate .numbers').textContent()).toMatch(/^282 unknowns, τ\s=\s0\.001$/);
+    expect(await page.locator('#status').innerText()).toMatch(/^Not a minimum: .*; \d+ directions lower the energy\.$/);
     expect(await page.evaluate(() => document.activeElement?.textContent)).toBe('Descend');
+    expect(await page.locator('#next').innerText()).toBe('Descend');
     await page.screenshot({ path: path.join(screenshots, 'certified.png'), fullPage: true });
 
     const report = JSON.parse(await downloadedText(page, 'report'));
@@ -118,18 +138,18 @@ describe('a certificate', () => {
     });
     expect(report.certificate.negative).toBeGreaterThan(0);
 
-    await page.getByRole('button', { name: 'Descend' }).press('Enter');
+    await page.locator('#next').press('Enter');
     await status(page, /^Minimizing/);
     await page.locator('#group').filter({ hasNotText: 'D3h' }).waitFor();
     await page.getByRole('button', { name: 'Cancel' }).click();
-    await status(page, /^Cancelled/);
+    await status(page, /^Stopped/);
     await page.locator('[name=last]').selectOption('1');
 
     await choose(page, 'cube', 'bending');
     await page.locator('#certificate [role=status]:empty').waitFor({ state: 'attached' });
     await minimize(page);
     await certify(page).click();
-    await answer(page).filter({ hasText: 'A local minimum among all surfaces near it.' }).waitFor();
+    await answer(page).filter({ hasText: 'Yes: on this mesh no surface near it has less energy.' }).waitFor();
     expect(errors).toEqual([]);
     await page.context().close();
   }, 60_000);
@@ -142,13 +162,13 @@ describe('a certificate', () => {
     await minimize(page);
     const [told, table] = [await page.locator('#status').innerText(), await page.locator('#energies').innerText()];
     await certify(page).click();
-    await page.getByRole('progressbar', { name: 'Certificate' }).waitFor();
+    await page.getByRole('progressbar', { name: 'Looking for surfaces' }).waitFor();
     expect(await page.locator('#downloads [name=save]').getAttribute('aria-disabled')).toBe('true');
     await page.keyboard.press('Enter'); // the button that was clicked, now Cancel
-    await certify(page).waitFor();
-    expect(await page.getByRole('progressbar', { name: 'Certificate' }).count()).toBe(0);
+    await certify(page).filter({ hasText: 'Check' }).waitFor();
+    expect(await page.getByRole('progressbar', { name: 'Looking for surfaces' }).count()).toBe(0);
     expect(await answer(page).textContent()).toBe('');
-    await page.locator('#certificate button:not([aria-disabled=true])').waitFor();
+    await page.locator('#certificate .row button:not([aria-disabled=true])').waitFor();
     expect(await page.locator('#status').innerText()).toBe(told);
     expect(await page.locator('#energies').innerText()).toBe(table);
     expect(await page.locator('#alert').isVisible()).toBe(false);
@@ -159,13 +179,14 @@ describe('a certificate', () => {
   test('that cannot be given says why', async () => {
     const { page } = await openPage(served.browser, served.url);
     await choose(page, 'cube', 'bending');
+    await openAdvanced(page);
     await page.getByLabel('Flat').check();
     await page.locator('[name=last]').selectOption('1');
     await measured(page);
     await page.locator('#primary').click();
-    await status(page, / after \d/, 60_000);
+    await status(page, /^(Minimized|The energy|Stopped|Ended)/, 60_000);
     await certify(page).click();
-    await page.locator('#alert').filter({ hasText: 'There is no certificate' }).waitFor();
+    await page.locator('#alert').filter({ hasText: 'Whether it is a minimum cannot be told' }).waitFor();
     expect(await page.locator('#alert').innerText()).toMatch(/cap flat/);
     await page.context().close();
   }, 60_000);

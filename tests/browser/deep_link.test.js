@@ -6,7 +6,18 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
-import { builtPage, drawn, energies, measured, openAddress, screenshots, status } from './page.js';
+import {
+  builtPage,
+  drawn,
+  energies,
+  evaluated,
+  measured,
+  minimized,
+  openAddress,
+  openDetails,
+  screenshots,
+  status,
+} from './page.js';
 import { cameraRests, difference, pictureOf } from './pictures.js';
 import { servedPage } from './served.js';
 
@@ -90,13 +101,14 @@ const number = (text) => Number(text.replaceAll('\u202f', '').replaceAll('−', 
 describe('an address that names an entry', () => {
   test('opens the catalog’s minimizer, converged, with its energy, error bar and levels', async () => {
     const { page, errors } = await open('?shape=two-3&functional=bending');
-    await status(page, /^From the catalog/);
+    await status(page, /^The catalog’s minimizer: [\d.]+, within /);
     await drawn(page);
     const entry = catalog.entries.find((one) => one.shape === 'two-3' && one.functional === 'bending');
     if (!entry?.energy || !entry.error) throw new Error('the catalog has no such energy');
     const [energy, error] = (await page.locator('#entry strong').innerText()).split(' ± ').map(number);
     expect(Math.abs(energy - entry.energy)).toBeLessThanOrEqual(error / 10); // printed with two digits of the error
     expect(error).toBeCloseTo(entry.error, 2);
+    await openDetails(page);
     expect(await page.locator('#limit').innerText()).toContain(await page.locator('#entry strong').innerText());
     expect(await page.locator('#levels tbody tr').count()).toBe(entry.levels.length);
     await measured(page);
@@ -133,7 +145,7 @@ describe('an address that names an entry', () => {
   test('opens the view that it was copied from: shading, and the camera after it was turned', async () => {
     const asked = '?shape=two-3&functional=mvs_cross&shading=gaussian&camera=10,40,1.2';
     const { page, errors } = await open(asked);
-    await status(page, /^From the catalog/);
+    await status(page, /^The catalog’s minimizer: [\d.]+, within /);
     await drawn(page);
     expect(await page.locator('[name=shading]').inputValue()).toBe('gaussian');
     expect(await copied(page)).toBe(asked);
@@ -154,7 +166,7 @@ describe('an address that names an entry', () => {
     expect(await difference(page, before, left)).toBeGreaterThan(0.05);
 
     const again = await open(turned);
-    await status(again.page, /^From the catalog/);
+    await status(again.page, /^The catalog’s minimizer: [\d.]+, within /);
     await complete(again.page);
     const restored = await pictureOf(again.page, again.page.locator('#surface'));
     expect(await copied(again.page)).toBe(turned);
@@ -165,10 +177,11 @@ describe('an address that names an entry', () => {
 
   test('offers to minimize it again, and ends within its error bar; the address is then the cage’s', async () => {
     const { page, errors } = await open('?shape=torus&functional=bending');
-    await status(page, /^From the catalog/);
+    await status(page, /^The catalog’s minimizer: [\d.]+, within /);
     const known = await page.locator('#entry strong').innerText();
     await page.getByRole('button', { name: 'Minimize again from the cage' }).click();
-    await status(page, /^(Converged|Round-off)/, 90_000);
+    await status(page, minimized, 90_000);
+    await openDetails(page);
     await page.locator('#limit strong').waitFor();
     const [[energy, error], [again]] = [known, await page.locator('#limit strong').innerText()].map((text) =>
       text.split(' ± ').map(number),
@@ -194,7 +207,8 @@ describe('an address that cannot be opened', () => {
       expect(await page.locator('#alert').innerText()).toMatch(words);
       await page.getByRole('button', { name: 'Dismiss' }).click();
       await page.locator('#step').click();
-      await status(page, /^Paused after 1 evaluation/);
+      await status(page, /^Paused at/);
+      await evaluated(page, 1);
       // The browser, too, reports a missing file.
       expect(errors.filter((error) => !error.includes('404'))).toEqual([]);
       await page.context().close();

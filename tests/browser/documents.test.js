@@ -5,7 +5,17 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { fish } from './fish.js';
-import { downloadedText, dropFile, drawn, evaluated, measured, openPage as open, progress, status } from './page.js';
+import {
+  downloadedText,
+  drawn,
+  dropFile,
+  evaluated,
+  measured,
+  minimized,
+  openPage as open,
+  progress,
+  status,
+} from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -38,7 +48,7 @@ const kept = (page) => page.waitForTimeout(1500);
 async function minimize(page) {
   await page.locator('[name=functional]').selectOption('bending');
   await button(page, 'Start').click();
-  await status(page, /^(Converged|Round-off)/, 60_000);
+  await status(page, minimized, 60_000);
   await page.locator('#downloads [name=save]:not([aria-disabled=true])').waitFor();
 }
 
@@ -65,7 +75,7 @@ describe('undo and redo', () => {
     expect(await page.getByRole('checkbox', { name: /^head/ }).isChecked()).toBe(false);
     expect(await page.locator('#edit [role=status]').textContent()).toBe('Undone: hold head.');
     await page.keyboard.press('Control+z');
-    await status(page, /^(Converged|Round-off)/);
+    await status(page, minimized);
     expect(await facts(page)).not.toMatch(/fish/);
     await drawn(page);
     const after = JSON.parse(await downloadedText(page, 'report'));
@@ -144,7 +154,7 @@ describe('after a reload', () => {
     await button(page, 'Undo open fish.obj').click();
     await page.locator('.facts').filter({ hasText: 'Genus' }).waitFor();
     await page.locator('#documents li button').first().click();
-    await status(page, /^(Converged|Round-off)/);
+    await status(page, minimized);
     await button(page, 'Undo minimize').click();
     await status(page, /^Ready/);
     expect(errors).toEqual([]);
@@ -178,7 +188,7 @@ describe('a document', () => {
     await page.reload();
     await measured(page);
     await button(page, 'Reopen closed').click();
-    await status(page, /^(Converged|Round-off)/);
+    await status(page, minimized);
     expect(await page.locator('#reopen').isHidden()).toBe(true);
     await page.context().close();
   }, 240_000);

@@ -5,7 +5,7 @@
  */
 import path from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { allPixels, download, drawn, openPage, screenshots, status } from './page.js';
+import { allPixels, download, drawn, minimized, openPage, screenshots, status } from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -21,7 +21,7 @@ beforeAll(async () => {
   await page.locator('[name=functional]').selectOption('bending');
   await page.locator('[name=last]').selectOption('1');
   await page.locator('#primary').click();
-  await status(page, /^Converged/);
+  await status(page, minimized);
   await drawn(page);
 }, 60_000);
 

@@ -59,7 +59,7 @@ test('follows the slider of a weight while it runs, and prints how soon', async 
   const weight = page.locator('[name=weight-mvs_cross]');
   expect(await weight.inputValue()).toBe('0.1');
   await page.getByRole('button', { name: 'Cancel' }).click();
-  await status(page, /^Cancelled/);
+  await status(page, /^Stopped/);
   await page.locator('#undo').click();
   expect(await weight.inputValue()).toBe('0.5');
   await status(page, /^Minimizing/);

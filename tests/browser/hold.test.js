@@ -7,7 +7,18 @@ import path from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { Minimizer, load } from '../../wasm/umbilic.js';
 import { fish } from './fish.js';
-import { allPixels, downloadedText, dropFile, energies, look, openPage, screenshots, settled, status } from './page.js';
+import {
+  allPixels,
+  downloadedText,
+  dropFile,
+  energies,
+  look,
+  minimized,
+  openPage,
+  screenshots,
+  settled,
+  status,
+} from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -52,7 +63,7 @@ async function drag(page, from, to) {
 /** @param {Page} page */
 async function minimize(page) {
   await page.getByRole('button', { name: 'Start', exact: true }).click();
-  await status(page, /^(Converged|Round-off)/, 90_000);
+  await status(page, minimized, 90_000);
 }
 
 /** Runs a problem to its end in this process. @param {Problem} problem */

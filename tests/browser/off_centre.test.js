@@ -7,7 +7,7 @@ import path from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { Cage, load } from '../../wasm/umbilic.js';
 import { recordFrames, recordedFrames } from './frames.js';
-import { drawn, dropFile, openPage, screenshots, status } from './page.js';
+import { drawn, dropFile, minimized, openPage, screenshots, status } from './page.js';
 import { difference, pictureOf } from './pictures.js';
 import { servedPage } from './served.js';
 
@@ -57,7 +57,7 @@ async function minimize(offset) {
   const surface = page.locator('#surface');
   const pictures = [await pictureOf(page, surface)];
   await page.locator('#primary').click();
-  await status(page, /^(Converged|Round-off)/, 60_000);
+  await status(page, minimized, 60_000);
   await page.locator('#downloads [name=save]:not([aria-disabled=true])').waitFor();
   await drawn(page);
   const frames = await recordedFrames(page);

@@ -75,6 +75,24 @@ export async function status(page, pattern, timeout = 30_000) {
   await page.locator('#status').filter({ hasText: pattern }).waitFor({ timeout });
 }
 
+/** How the status begins when a run has ended where it should. */
+export const minimized = /^(Minimized|The energy)/;
+
+/** Opens the details of a run, which has ended a level. @param {Page} page */
+export async function openDetails(page) {
+  const details = page.locator('#run-details');
+  await details.waitFor();
+  if ((await details.getAttribute('open')) === null) await details.locator('summary').click();
+}
+
+/** Opens what only experts set: how the cage of a frame is built, and how its energy is minimized. @param {Page} page */
+export async function openAdvanced(page) {
+  for (const details of await page.locator('details:has(> summary:text-is("Advanced"))').all()) {
+    const summary = details.locator('> summary');
+    if ((await summary.isVisible()) && (await details.getAttribute('open')) === null) await summary.click();
+  }
+}
+
 /** @param {string} text of the line below the status */
 export function parseProgress(text) {
   const match = /energy ([\d.\u202f]+) · level (\d+) · ([\d\u202f]+) evaluation/.exec(text);

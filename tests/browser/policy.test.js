@@ -5,7 +5,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { builtPage, download, dropFile, measured, openAddress, status } from './page.js';
+import { builtPage, download, dropFile, measured, minimized, openAddress, status } from './page.js';
 import { fish } from './fish.js';
 import { servedPage } from './served.js';
 
@@ -51,7 +51,7 @@ const work = {
     await page.locator('[name=last]').selectOption('0');
     await page.locator('[name=shading]').selectOption('deviation');
     await page.locator('#primary').click();
-    await status(page, /^(Converged|Round-off)/);
+    await status(page, minimized);
     await download(page, 'picture');
   },
 };

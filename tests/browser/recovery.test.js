@@ -14,6 +14,7 @@ import {
   dropFile,
   evaluated,
   measured,
+  minimized,
   openAddress,
   openPage,
   progress,
@@ -60,7 +61,7 @@ describe('what does not load is said, with another try:', () => {
     await status(page, /^Ready/);
     await page.unroute('**/catalog.json');
     await button(page, 'Try again').click();
-    await status(page, /^From the catalog/);
+    await status(page, /^The catalog’s /);
     await page.context().close();
   });
 
@@ -112,7 +113,7 @@ test('a worker that dies in the middle of a run leaves its last surface, from wh
     .locator('#alert')
     .filter({ hasText: /memory access out of bounds.* evaluations is kept/ })
     .waitFor();
-  await status(page, /^Interrupted/);
+  await status(page, /^Broken off/);
   const before = await progress(page);
   await button(page, 'Start').click();
   await status(page, /^Minimizing/);
@@ -147,7 +148,7 @@ test('a project that is saved and opened in another browser has the same energie
   await page.locator('[name=last]').selectOption('1');
   await status(page, /^Ready/);
   await button(page, 'Start').click();
-  await status(page, /^(Converged|Round-off)/, 120_000);
+  await status(page, minimized, 120_000);
   const before = await energies(page);
   await page.locator('canvas').focus();
   const [saved] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+s')]);
@@ -158,7 +159,7 @@ test('a project that is saved and opened in another browser has the same energie
 
   const { page: other, errors } = await openPage(served.browser, served.url);
   await other.locator('#file').setInputFiles(file);
-  await status(other, /^(Converged|Round-off)/);
+  await status(other, minimized);
   expect(await other.locator('#documents li').count()).toBe(1); // in the place of what nobody had touched
   const after = await energies(other);
   for (const name of ['bending', 'mvs_cross', 'area']) {

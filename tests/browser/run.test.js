@@ -13,6 +13,9 @@ import {
   evaluated,
   look,
   measured,
+  minimized,
+  openAdvanced,
+  openDetails,
   openPage,
   parseProgress,
   progress,
@@ -57,7 +60,7 @@ describe('a report that was saved', () => {
     await first.page.locator('[name=last]').selectOption('2');
     await measured(first.page);
     await button(first.page, 'Start').click();
-    await status(first.page, /^Converged after/, 60_000);
+    await status(first.page, minimized, 60_000);
     await measured(first.page);
     const before = await energies(first.page);
     const report = await download(first.page, 'report');
@@ -73,7 +76,7 @@ describe('a report that was saved', () => {
     expect(await page.locator('#levels tbody tr').count()).toBe(JSON.parse(report.text).levels.length);
     await page.locator('[name=last]').selectOption('3');
     await button(page, 'Start').click();
-    await status(page, /^Converged after/, 60_000);
+    await status(page, minimized, 60_000);
     const again = JSON.parse((await download(page, 'report')).text);
     // Levels before that of the report are not minimized again.
     expect(again.levels.map((/** @type {any} */ { level }) => level)).toEqual([2, 3]);
@@ -128,12 +131,15 @@ describe('a user', () => {
     expect(await progress(page)).toEqual(paused);
 
     await button(page, 'Step').click();
-    await status(page, new RegExp(`^Paused after ${paused.evaluations + 1} evaluations`));
+    await evaluated(page, paused.evaluations + 1);
+    await status(page, /^Paused at \d.*still falling\.$/);
+    expect((await progress(page)).evaluations).toBe(paused.evaluations + 1);
 
     await button(page, 'Resume').click();
     await evaluated(page, paused.evaluations + 5);
     await button(page, 'Cancel').click();
-    await status(page, /^Cancelled after/);
+    await status(page, /^Stopped at/);
+    await openDetails(page);
     await page.locator('#levels tbody').filter({ hasText: 'cancelled' }).waitFor();
     const after = await energies(page);
     const number = (/** @type {string} */ text) => Number(text.split(' ±')[0].replaceAll('\u202f', ''));
@@ -184,6 +190,7 @@ describe('a user', () => {
       .filter({ hasText: /Genus\s*3/ })
       .waitFor();
     const flag = await page.locator('.facts').innerText();
+    await openAdvanced(page);
     await page.getByLabel('Hub').check();
     await page.waitForFunction((old) => document.querySelector('.facts')?.textContent !== old, flag);
     const thick = (await energies(page))['Bending energy'];
@@ -221,6 +228,7 @@ describe('a user', () => {
   test('who leaves the cap away sees what diverges', async () => {
     const { page } = await openPage(served.browser, served.url);
     await page.locator('[name=functional]').selectOption('bending');
+    await openAdvanced(page);
     await page.getByLabel('None').check();
     await page.locator('#energies').getByText('diverges').first().waitFor();
     expect(await page.locator('#energies').getByText('diverges').count()).toBe(4);
@@ -246,9 +254,11 @@ describe('a user', () => {
     await page.locator('[name=last]').selectOption('within 0.01');
     await measured(page);
     await button(page, 'Start').click();
-    await status(page, /^Converged after/, 60_000);
-    const limit = await page.locator('#limit').innerText();
-    const [, energy, percent] = /^Limit ([\d.]+) ± [\d.]+, .*, within ([\d.]+)\u202f%$/.exec(limit) ?? [];
+    await status(page, minimized, 60_000);
+    const said = await page.locator('#status').innerText();
+    const [, energy, percent] = /^Minimized: ([\d.]+), within ([\d.]+)\u202f%\.$/.exec(said) ?? [];
+    await openDetails(page);
+    expect(await page.locator('#limit').innerText()).toContain(`Limit of the levels: ${energy} ± `);
     expect(Number(percent)).toBeLessThanOrEqual(1);
     expect(Math.abs(Number(energy) / 112.7668 - 1)).toBeLessThan(Number(percent) / 100);
     expect(new URL(page.url()).searchParams.get('accuracy')).toBe('0.01');
@@ -270,12 +280,14 @@ describe('a user', () => {
     const focused = () =>
       page.evaluate(() => document.activeElement?.id || document.activeElement?.getAttribute('name'));
     const seen = [];
-    for (let i = 0; i < 40 && (await focused()) !== 'primary'; i++) {
+    for (let i = 0; i < 60 && (await focused()) !== 'primary'; i++) {
       await page.keyboard.press('Tab');
       seen.push(await focused());
+      const advanced = await page.evaluate(() => document.activeElement?.textContent === 'Advanced');
+      if (advanced) await page.keyboard.press('Enter');
     }
     expect(seen).toEqual(
-      expect.arrayContaining(['theme', 'shape', 'choose-file', 'functional', 'cap', 'shading', 'primary']),
+      expect.arrayContaining(['theme', 'shape', 'choose-file', 'family', 'functional', 'cap', 'shading', 'primary']),
     );
     const outline = await page.evaluate(
       () => getComputedStyle(/** @type {Element} */ (document.activeElement)).outlineStyle,
@@ -290,7 +302,8 @@ describe('a user', () => {
     expect(await focused()).toBe('step');
     const { evaluations } = await progress(page);
     await page.keyboard.press('Space');
-    await status(page, new RegExp(`^Paused after ${evaluations + 1} `));
+    await evaluated(page, evaluations + 1);
+    await status(page, /^Paused at/);
     await page.context().close();
   });
 });
@@ -322,7 +335,7 @@ describe('the worker', () => {
             const before = progress.textContent ?? '';
             const start = performance.now();
             new MutationObserver(() => {
-              if (!line.textContent?.startsWith('Cancelled')) return;
+              if (!line.textContent?.startsWith('Stopped')) return;
               resolve({ time: performance.now() - start, before, after: progress.textContent ?? '' });
             }).observe(line, { childList: true, characterData: true, subtree: true });
             /** @type {HTMLElement} */ (document.querySelector('#cancel')).click();
@@ -331,6 +344,7 @@ describe('the worker', () => {
       times.push(time);
       expect(parseProgress(after).evaluations - parseProgress(before).evaluations).toBeLessThan(20);
     }
+    await openDetails(page);
     const patches = await page.locator('#levels tbody td').nth(1).innerText();
     console.log(`Cancel answered on ${patches} patches after ${times.map(Math.round).join(', ')} ms`);
     expect(Number(patches.replace(/\D/g, ''))).toBeGreaterThan(2000);
@@ -359,7 +373,7 @@ describe('the worker', () => {
       .locator('#alert')
       .filter({ hasText: 'stopped answering and was restarted' })
       .waitFor({ timeout: 15_000 });
-    await status(page, /^Interrupted/);
+    await status(page, /^Broken off/);
     await ended;
     expect(computing(page)).toHaveLength(1);
     expect((await look(page)).coloured).toBeGreaterThan(0.5 * picture.coloured);

@@ -6,7 +6,7 @@
 import { mkdirSync } from 'node:fs';
 import path from 'node:path';
 import { launchBrowser } from '../browser/browser.js';
-import { builtPage, openPage, status } from '../browser/page.js';
+import { builtPage, minimized, openAdvanced, openPage, status } from '../browser/page.js';
 import { serve } from '../browser/site.js';
 import { build } from './build.js';
 import { installPackages, installTools } from './install.js';
@@ -22,7 +22,7 @@ const folder = path.join(root, 'web/pictures');
 async function pagePicture(browser, url) {
   const { page } = await openPage(browser, url, { colorScheme: 'light', viewport: { width: 1280, height: 940 } });
   await page.locator('#primary').click();
-  await status(page, /after \d+ evaluations/, 300_000);
+  await status(page, minimized, 300_000);
   await page.locator('canvas[data-picture=fine]').waitFor();
   await page.screenshot({ path: path.join(folder, 'page.png') });
   await page.context().close();
@@ -35,6 +35,7 @@ async function capsPicture(browser, url) {
   /** @type {string[]} */
   const figures = [];
   for (const cap of ['none', 'flat', 'smooth']) {
+    await openAdvanced(page);
     await page.locator(`[name=cap][value=${cap}]`).check({ force: true });
     await page.waitForTimeout(1500);
     await page.locator('canvas[data-picture=fine]').waitFor();

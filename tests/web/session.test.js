@@ -70,6 +70,10 @@ describe('opening', () => {
     const text = JSON.stringify({ umbilic: 'problem', version: 1, ...problemOf() });
     session.obey({ type: 'open', run: 2, problem: text });
     expect(all('opened').at(-1)).not.toHaveProperty('report');
+    expect(all('opened').at(-1).asked).not.toHaveProperty('start');
+    const start = { level: 2, points: [...minimizer.state.points] };
+    session.obey({ type: 'open', run: 2, problem: text.replace(/\}$/, `,"start":${JSON.stringify(start)}}`) });
+    expect(Array.from(all('opened').at(-1).asked.start.points)).toEqual(start.points);
     session.obey({ type: 'open', run: 3, problem: text.replace('[1,1]', '[1]') });
     expect(all('failed').at(-1)).toMatchObject({
       run: 3,

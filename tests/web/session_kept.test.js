@@ -45,6 +45,22 @@ describe('the topology of a surface', () => {
     expect(counts.length).toBeGreaterThan(new Set(counts).size); // some surface came without
   });
 
+  test('is sent with a level whose mesh has as many vertices as the one before', () => {
+    // 24, 96 and 384 patches have the densities 16, 12 and 6 while the surface moves: the last two have as many quads.
+    open(1, {
+      then: 'run',
+      problem: { cage: { generator: 'two-3' }, terms: { bending: 1 }, options: { levels: [1, 2] } },
+    });
+    work();
+    const first = ['96 12', '384 6'].map((kind) =>
+      all('surfaced').find(({ patches, density }) => `${patches} ${density}` === kind),
+    );
+    expect(first[1].limit.positions.length).toBe(first[0].limit.positions.length);
+    const [before, after] = first.map(({ limit }) => limit.triangles);
+    expect(after).toHaveLength(before.length);
+    expect(after).not.toEqual(before);
+  });
+
   test('is sent again with another run, and missed where the page has none', () => {
     open(1);
     work();

@@ -2,10 +2,12 @@
 /**
  * @file Numbers and names as the page prints them.
  */
+import { existsSync } from 'node:fs';
 import { describe, expect, test } from '@jest/globals';
 import { cageWords, stemOf } from '../../web/words/cages.js';
 import { energyWarnings, roundingWords } from '../../web/words/energies.js';
-import { caps, functionals, functionalWords } from '../../web/words/functionals.js';
+import { SHAPES } from '../../web/pages/studio/views/examples.js';
+import { blendWords, caps, functionals, functionalWords } from '../../web/words/functionals.js';
 import {
   certificateDetails,
   certificateWords,
@@ -138,6 +140,16 @@ describe('a name', () => {
     expect(stemOf('???')).toBe('cage');
   });
 
+  test('of a functional comes with what it prefers, and with pictures that the catalog has', () => {
+    const pictures = new URL('../../web/catalog/pictures/', import.meta.url);
+    for (const { prefers, pictured } of [...functionals, blendWords]) {
+      expect(prefers).toMatch(/^\p{Lu}.*\.$/u);
+      for (const shape of pictured ? SHAPES : []) {
+        expect(existsSync(new URL(`${shape}.${pictured}.webp`, pictures))).toBe(true);
+      }
+    }
+  });
+
   test('and a formula belong to each functional, and a meaning to each cap', () => {
     expect(functionals).toHaveLength(8);
     for (const { id, formula, areaPower } of functionals) {
@@ -149,8 +161,6 @@ describe('a name', () => {
 });
 
 describe('the limit of the levels', () => {
-  const levels = [0, 1, 2].map((level) => levelReport(level));
-
   test('is a value with its error and the observed order, if there is one', () => {
     const limit = {
       status: /** @type {const} */ ('converging'),
@@ -159,10 +169,8 @@ describe('the limit of the levels', () => {
       error: 36.2,
       lower: 3917.4 - 36.2,
     };
-    expect(limitWords(limit, levels)).toEqual({ value: '3917', error: '36', words: 'observed order 1.9' });
-    expect(limitWords({ ...limit, order: NaN }, levels).words).toBe('the last levels agree');
-    expect(limitWords(limit, levels, 0.01).words).toBe('observed order 1.9, within 0.93\u202f%');
-    expect(limitWords(limit, levels, 0.003).words).toBe('observed order 1.9, within 0.93\u202f%, not 0.3\u202f%');
+    expect(limitWords(limit)).toEqual({ value: '3917', error: '36', words: 'observed order 1.9' });
+    expect(limitWords({ ...limit, order: NaN }).words).toBe('the last levels agree');
   });
 
   test('has a bar that ends where no surface is', () => {
@@ -173,7 +181,7 @@ describe('the limit of the levels', () => {
       error: 0.5,
       lower: 8 * Math.PI,
     };
-    expect(limitWords(limit, levels)).toEqual({
+    expect(limitWords(limit)).toEqual({
       value: '25.20',
       error: '0.50',
       words: 'observed order 2.0, but not below 25.13274, as no surface is',
@@ -181,30 +189,21 @@ describe('the limit of the levels', () => {
     const { lower, ...earlier } = limit;
     expect(lower).toBeGreaterThan(limit.energy - limit.error);
     // The limit of a report that an earlier version wrote.
-    expect(limitWords(/** @type {typeof limit} */ (earlier), levels).words).toBe('observed order 2.0');
+    expect(limitWords(/** @type {typeof limit} */ (earlier)).words).toBe('observed order 2.0');
   });
 
-  test('of too few levels says how many more it takes; those that only prepare do not count', () => {
-    const words = (/** @type {typeof levels} */ some) => limitWords(noLimit(), some).words;
-    expect(words(levels.slice(1))).toBe('one more level gives an error bar');
-    expect(words([levelReport(0, { evaluable: false }), ...levels.slice(1)])).toBe('one more level gives an error bar');
-    expect(words(levels.slice(2))).toBe('2 more levels give an error bar');
-  });
-
-  test('of levels that do not tell it is an upper bound, or nothing', () => {
-    const bound = { ...noLimit(), status: /** @type {const} */ ('not_converging'), energy: 101.25, order: 0.4 };
-    expect(limitWords(bound, levels)).toEqual({ value: '101.250', error: '', words: 'upper bound, not converging' });
-    const early = { ...noLimit(), status: /** @type {const} */ ('not_minimized') };
-    expect(limitWords(early, levels)).toEqual({
-      value: '',
-      error: '',
-      words: 'no error bar: a level ended before its minimum',
-    });
-    const folded = { ...noLimit(), status: /** @type {const} */ ('not_resolved'), energy: 1e-22 };
-    expect(limitWords(folded, levels).value).toBe('');
-    expect(limitWords(folded, levels).words).toBe('no error bar: the last level’s energy is not the surface’s');
-    const pulled = { ...noLimit(), status: /** @type {const} */ ('not_comparable') };
-    expect(limitWords(pulled, levels).words).toBe('no error bar: each level is pulled with its own weight');
+  test.each([
+    ['too_few_levels', NaN, /three levels/],
+    ['not_minimized', NaN, /ended early/],
+    ['not_resolved', NaN, /not the surface’s/],
+    ['not_comparable', NaN, /its own weight/],
+    ['not_converging', 0.4, /do not settle \(observed order 0\.4\)$/],
+    ['not_converging', NaN, /do not settle$/],
+  ])('that there is none of says why: %s', (status, order, reason) => {
+    const { value, error, words } = limitWords({ ...noLimit(), status: /** @type {any} */ (status), order });
+    expect([value, error]).toEqual(['', '']);
+    expect(words).toMatch(/^\p{Ll}.*[^.]$/u);
+    expect(words).toMatch(reason);
   });
 });
 
@@ -246,16 +245,16 @@ describe('a certificate', () => {
     return before + symbol + after;
   }
 
-  test('says whether the surface is a minimum, and among which surfaces', () => {
-    expect(sentence(0)).toBe('A local minimum among all surfaces near it.');
-    expect(sentence(6)).toBe('6 directions lower the energy: a minimum only within its symmetry (D3h).');
-    expect(sentence(1)).toBe('1 direction lowers the energy: a minimum only within its symmetry (D3h).');
-    expect(sentence(2, { name: 'C1', order: 1 })).toBe('2 directions lower the energy: a saddle point, not a minimum.');
+  test('says whether the surface is a minimum, and which surfaces are lower', () => {
+    expect(sentence(0)).toBe('Yes: on this mesh no surface near it has less energy.');
+    expect(sentence(6)).toBe('No: 6 directions lower the energy, and break its symmetry (D3h).');
+    expect(sentence(1)).toBe('No: 1 direction lowers the energy, and breaks its symmetry (D3h).');
+    expect(sentence(2, { name: 'C1', order: 1 })).toBe('No: 2 directions lower the energy. It is a saddle.');
   });
 
   test('calls nothing a minimum that has not converged', () => {
-    expect(sentence(0, group, 'cancelled')).toMatch(/^No direction lowers .* before it converged\.$/);
-    expect(sentence(6, group, 'max_iterations')).toBe('6 directions lower the energy to second order.');
+    expect(sentence(0, group, 'cancelled')).toBe('Not known: the run ended too early to tell.');
+    expect(sentence(6, group, 'max_iterations')).toBe('Not yet: 6 directions lower the energy.');
   });
 
   test('tells its unknowns and its threshold', () => {

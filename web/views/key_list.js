@@ -2,6 +2,7 @@
 /**
  * @file The list of all keys, in a dialog that `?` or a button opens, and the link past the header.
  */
+import { createDialog, opensByKey } from './dialog.js';
 import { element, find, takesText } from './dom.js';
 
 /** @import {KeyGroup, KeyWords} from '../words/keys.js' */
@@ -22,25 +23,10 @@ function row({ keys, words }) {
 }
 
 /** @param {KeyGroup[]} groups */
-function createDialog(groups) {
-  const close = element('button', { type: 'button', class: 'quiet close', 'aria-label': 'Close', autofocus: '' }, '✕');
-  const dialog = element(
-    'dialog',
-    { id: 'key-list', 'aria-labelledby': 'key-list-title' },
-    element(
-      'div',
-      { class: 'content' },
-      element('h2', { id: 'key-list-title' }, 'Keys'),
-      ...groups.map(({ title, keys }) =>
-        element('section', {}, element('h3', {}, title), element('dl', {}, ...keys.map(row))),
-      ),
-    ),
-    close,
+const createSections = (groups) =>
+  groups.map(({ title, keys }) =>
+    element('section', {}, element('h3', {}, title), element('dl', {}, ...keys.map(row))),
   );
-  close.addEventListener('click', () => dialog.close());
-  dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
-  return dialog;
-}
 
 /** @param {HTMLElement} header of the page @param {KeyGroup[]} groups */
 export function createKeyListView(header, groups) {
@@ -50,21 +36,12 @@ export function createKeyListView(header, groups) {
   let dialog = null;
 
   function open() {
-    if (!dialog) document.body.append((dialog = createDialog(groups)));
+    if (!dialog) document.body.append((dialog = createDialog('key-list', 'Keys', ...createSections(groups))));
     if (!dialog.open) dialog.showModal();
   }
 
   find(header, '#keys').addEventListener('click', open, { signal });
-  document.addEventListener(
-    'keydown',
-    (event) => {
-      const { key, ctrlKey, metaKey, altKey, target } = event;
-      if (key !== '?' || ctrlKey || metaKey || altKey || takesText(target)) return;
-      event.preventDefault();
-      open();
-    },
-    { signal },
-  );
+  opensByKey('?', open, signal, takesText);
   // The address, which may be copied, stays as it is.
   find(header, '.skip').addEventListener(
     'click',

@@ -11,7 +11,9 @@
  * @property {string} name
  * @property {string} short used in sums of several functionals
  * @property {string} formula
- * @property {string} taste one line: what its minimizers look like
+ * @property {string} prefers a sentence for everyone: what its minimizers look like
+ * @property {string} taste a line for those who know curvature: what costs nothing
+ * @property {string | null} pictured the catalog’s functional with the same minimizers; null if it has none
  * @property {0 | 1 | 2} areaPower the power of the area A that is its factor; above 0 it integrates curvature derivatives
  */
 
@@ -22,6 +24,8 @@ export const functionals = [
     name: 'Bending energy',
     short: 'Bending',
     formula: '∫ κ₁² + κ₂² dA',
+    prefers: 'Bends as little as it can: round bodies with small holes.',
+    pictured: 'bending',
     taste: 'Penalizes curvature itself: round and economical.',
     areaPower: 0,
   },
@@ -30,6 +34,8 @@ export const functionals = [
     name: 'Willmore energy',
     short: 'Willmore',
     formula: '∫ H² dA',
+    prefers: 'Prefers the same shapes as bending: round bodies with small holes.',
+    pictured: 'bending',
     taste: 'A quarter of bending, up to a constant of the topology: the same minimizers.',
     areaPower: 0,
   },
@@ -38,6 +44,8 @@ export const functionals = [
     name: 'Minimum variation (MVS)',
     short: 'MVS',
     formula: 'A ∫ (dκ₁/de₁)² + (dκ₂/de₂)² dA',
+    prefers: 'Keeps curvature even along its own lines: rings, tubes and spheres cost nothing, so arms may thin out.',
+    pictured: 'mvs',
     taste: 'Each principal curvature constant along its own line: spheres, tori and Dupin cyclides are free.',
     areaPower: 1,
   },
@@ -46,6 +54,8 @@ export const functionals = [
     name: 'MVS with cross terms',
     short: 'MVS cross',
     formula: 'A ∫ |∇κ₁|² + |∇κ₂|² dA',
+    prefers: 'Keeps curvature even in all directions: wide holes and even arms.',
+    pictured: 'mvs_cross',
     taste: 'Both principal curvatures constant in every direction: only spheres are free.',
     areaPower: 1,
   },
@@ -54,6 +64,8 @@ export const functionals = [
     name: 'Mehlum–Tarrou',
     short: 'Mehlum–Tarrou',
     formula: 'A ∫ mean over directions of (dκₙ/ds)² dA',
+    prefers: 'Keeps curvature even on average over all directions: wide holes between fuller corners.',
+    pictured: 'mehlum_tarrou',
     taste: 'The variation of normal curvature, averaged over all directions.',
     areaPower: 1,
   },
@@ -62,6 +74,8 @@ export const functionals = [
     name: 'Variation of the second form',
     short: 'Second form',
     formula: 'A ∫ |∇II|² dA',
+    prefers: 'Keeps the way the surface bends even as a whole: wide holes and even arms.',
+    pictured: 'second_form_variation',
     taste: 'The covariant derivative of the second fundamental form: smooth even at umbilics.',
     areaPower: 1,
   },
@@ -70,6 +84,8 @@ export const functionals = [
     name: 'Variation of mean curvature',
     short: 'Mean curvature',
     formula: 'A ∫ 4 |∇H|² dA',
+    prefers: 'Keeps the mean of both curvatures even: rounded parts, which thin necks may join.',
+    pictured: null,
     taste: 'Mean curvature constant everywhere: only spheres are free, and spheres joined by thin necks come close.',
     areaPower: 1,
   },
@@ -78,10 +94,19 @@ export const functionals = [
     name: 'Variation of curvedness',
     short: 'Curvedness',
     formula: 'A² ∫ |∇ ½(κ₁² + κ₂²)|² dA',
+    prefers: 'Bends about as much everywhere, whether outward or like a saddle.',
+    pictured: null,
     taste: 'As much bending everywhere, whether round or saddle: only spheres are free, and thin tori come close.',
     areaPower: 2,
   },
 ];
+
+/** What a blend of several prefers. @type {Pick<FunctionalWords, 'prefers' | 'taste' | 'pictured'>} */
+export const blendWords = {
+  prefers: 'A weighted sum: shapes between those that its parts prefer.',
+  taste: 'Functionals that integrate the change of curvature carry the area A as a factor.',
+  pictured: 'bending_mvs_cross',
+};
 
 /** @param {FunctionalName} id @returns {FunctionalWords} */
 export function functionalWords(id) {

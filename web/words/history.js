@@ -74,6 +74,10 @@ export function stepName(action) {
     case 'startPressed':
     case 'stepPressed':
       return 'minimize';
+    case 'finerPressed':
+      return 'go one level finer';
+    case 'goOnPressed':
+      return 'go on';
     case 'againPressed':
       return 'minimize again';
     case 'resetPressed':

@@ -11,6 +11,7 @@ const everywhere = {
   title: 'On every page',
   keys: [
     { keys: ['?'], words: 'This list' },
+    { keys: ['G'], words: 'What the terms mean' },
     { keys: ['Tab', 'Shift+Tab'], words: 'To the next control, and back; first of all past the header' },
     { keys: ['Enter', 'Space'], words: 'Press a button that has the focus' },
     { keys: ['Esc'], words: 'Close a dialog' },

@@ -2,12 +2,10 @@
 /**
  * @file A cage's repairs, and a run's levels, limit, symmetry and certificate in words.
  */
-import { counted, lowerBound, percent, significant, withError } from './numbers.js';
+import { counted, lowerBound, withError } from './numbers.js';
 
 /** @import {CageReport, CertificateReport, Group, LevelReport, Limit, StopReason} from '../../wasm/types.js' */
 
-/** An error bar needs this many levels. */
-const ENOUGH_LEVELS = 3;
 /** Number of digits of an extrapolated energy's error. */
 const ERROR_DIGITS = 2;
 /** Number of digits of a bound that cuts an error bar. */
@@ -17,43 +15,37 @@ const BOUND_DIGITS = 7;
 export const metricWords = { identity: 'Euclidean', sobolev: 'Sobolev', hessian: 'Hessian', newton: 'Newton' };
 
 /**
- * The extrapolated energy with its error, or the reason why there is none.
+ * How the error of the energy was told from the levels, or why it was not: a detail beside the verdict.
  * @param {Limit} limit
- * @param {LevelReport[]} levels
- * @param {number | null} [accuracy] that was asked for, as a part of the limit
- * @returns {{value: string, error: string, words: string}} `value` and `error` are empty if there is no limit
+ * @returns {{value: string, error: string, words: string}} `value` and `error` are empty if there is none, and `words` say why
  */
-export function limitWords({ status, energy, order, error, lower }, levels, accuracy = null) {
+export function limitWords({ status, energy, order, error, lower }) {
+  /** @param {string} words */
+  const none = (words) => ({ value: '', error: '', words });
+  const observed = Number.isFinite(order) ? `observed order ${order.toFixed(1)}` : 'the last levels agree';
   switch (status) {
     case 'converging': {
-      const words = Number.isFinite(order) ? `observed order ${order.toFixed(1)}` : 'the last levels agree';
       const cut = lower > energy - error ? `, but not below ${lowerBound(lower, BOUND_DIGITS)}, as no surface is` : '';
-      return {
-        ...withError(energy, error, ERROR_DIGITS),
-        words: words + cut + accuracyWords(error / Math.abs(energy), accuracy),
-      };
+      return { ...withError(energy, error, ERROR_DIGITS), words: observed + cut };
     }
-    case 'too_few_levels': {
-      const missing = ENOUGH_LEVELS - levels.filter(({ evaluable }) => evaluable).length;
-      const words = missing > 1 ? `${missing} more levels give an error bar` : 'one more level gives an error bar';
-      return { value: '', error: '', words };
-    }
+    case 'too_few_levels':
+      return none('it takes three levels');
     case 'not_minimized':
-      return { value: '', error: '', words: 'no error bar: a level ended before its minimum' };
+      return none('one of the last three levels ended early');
     case 'not_resolved':
-      return { value: '', error: '', words: 'no error bar: the last level’s energy is not the surface’s' };
+      return none('the last level’s energy is not the surface’s');
     case 'not_comparable':
-      return { value: '', error: '', words: 'no error bar: each level is pulled with its own weight' };
+      return none('each level is pulled with its own weight');
     case 'not_converging':
-      return { value: significant(energy), error: '', words: 'upper bound, not converging' };
+      return none(
+        `the energies or the surfaces of the last three levels do not settle${Number.isFinite(order) ? ` (${observed})` : ''}`,
+      );
   }
 }
 
-/** @param {number} reached @param {number | null} asked */
-function accuracyWords(reached, asked) {
-  if (asked === null) return '';
-  return reached <= asked ? `, within ${percent(reached)}` : `, within ${percent(reached)}, not ${percent(asked)}`;
-}
+/** What a run took. @param {LevelReport[]} levels @param {number} evaluations */
+export const effortWords = (levels, evaluations) =>
+  counted(evaluations, 'evaluation') + (levels.length > 1 ? ` on ${levels.length} levels` : '');
 
 /**
  * Splits a Schoenflies symbol into its letter and its subscript: D3h is D and 3h.
@@ -94,7 +86,7 @@ export const thickenedWords = (levels) =>
     .map(({ level }) => `Level ${level} began thicker than it was: its samples missed curvature of its rims.`);
 
 /**
- * What a certificate says about the surface at the end of a run: the words before and after the symbol of its symmetry.
+ * Whether the surface at the end of a run is a minimum: the words before and after the symbol of its symmetry.
  * @param {CertificateReport} report
  * @param {Group | null} group
  * @param {StopReason | 'interrupted' | null} stop
@@ -107,14 +99,15 @@ export function certificateWords({ negative }, group, stop) {
   if (negative === 0) {
     return plain(
       converged
-        ? 'A local minimum among all surfaces near it.'
-        : 'No direction lowers the energy to second order, but the run ended before it converged.',
+        ? 'Yes: on this mesh no surface near it has less energy.'
+        : 'Not known: the run ended too early to tell.',
     );
   }
-  const directions = `${counted(negative, 'direction lowers', 'directions lower')} the energy`;
-  if (!converged) return plain(`${directions} to second order.`);
-  if (!group || group.order === 1) return plain(`${directions}: a saddle point, not a minimum.`);
-  return { before: `${directions}: a minimum only within its symmetry (`, symbol: group.name, after: ').' };
+  const directions = counted(negative, 'direction lowers', 'directions lower');
+  if (!converged) return plain(`Not yet: ${directions} the energy.`);
+  if (!group || group.order === 1) return plain(`No: ${directions} the energy. It is a saddle.`);
+  const breaks = negative === 1 ? 'breaks' : 'break';
+  return { before: `No: ${directions} the energy, and ${breaks} its symmetry (`, symbol: group.name, after: ').' };
 }
 
 /** The size of the Hessian and the tolerance behind a certificate. @param {CertificateReport} report */

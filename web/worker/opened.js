@@ -10,17 +10,17 @@
 /** @typedef {{Cage: typeof Cage, parseReport: typeof parseReport}} Core */
 
 /**
- * The parts that only a file has. Its start is left out: the page needs none of its points.
+ * The parts that only a file has. The start of a report is its surface, of which the page needs no points.
  * @param {Core} core
  * @param {Problem | string} problem
  * @param {Minimizer} opened
  */
 function fileParts(core, problem, opened) {
   if (typeof problem !== 'string') return {};
-  const { cage, terms, fill, constraints, options } = opened.problem;
+  const { cage, terms, fill, constraints, options, start } = opened.problem;
   const { umbilic, levels, limit, energies, certificate, constraints: held } = core.parseReport(problem);
   const report = umbilic === 'report' && { report: { levels, limit, energies, certificate, constraints: held } };
-  return { asked: { cage, terms, fill, constraints, options }, ...report };
+  return { asked: { cage, terms, fill, constraints, options, ...(start && !report && { start }) }, ...report };
 }
 
 /**

@@ -88,8 +88,8 @@
  * The worker has loaded the core.
  * @typedef {{type: 'started', version: string, cages: string[]}} Started
  *
- * `level` is that of the surface that the run starts from, and `group` the symmetry that it keeps; `groups` are those of the cage's faces. For a file, `asked` is its problem, complete except for its start, and
- * `report` its results. Where the problem fills boundaries, `cage` and `groups` are those of the filled cage, and `unfilled` is
+ * `level` is that of the surface that the run starts from, and `group` the symmetry that it keeps; `groups` are those of the cage's faces. For a file, `asked` is its problem, complete, and
+ * `report` its results, with which `asked` has no start. Where the problem fills boundaries, `cage` and `groups` are those of the filled cage, and `unfilled` is
  * the one before, with the number of corners of each of its faces. `held`: the numbers of all held faces, where constraints are
  * copied over the symmetry.
  * @typedef {{counts: CageReport, corners: Uint32Array}} Unfilled

@@ -41,9 +41,9 @@ export function createSurfacing(core) {
      * @returns {Pick<Surfaced, 'limit' | 'density' | 'control' | 'deviations'>}
      */
     of: (run, limit, density) => ({
-      limit: known.limit.update(limit),
+      limit: known.limit.update(limit, run.progress.level, density),
       density,
-      control: known.control.update(run.controlMesh()),
+      control: known.control.update(run.controlMesh(), run.progress.level),
       ...(deviating && { deviations: deviation.of(run, limit, density) }),
     }),
 

@@ -6,21 +6,28 @@
 /** @import {Mesh} from '../../wasm/types.js' */
 /** @import {MeshUpdate} from './protocol.js' */
 
-/** For the meshes of one kind of one run, whose refinements differ in their number of vertices. */
+/** For the meshes of one kind of one run. */
 export function createTopologyFilter() {
-  let known = -1;
+  let known = '';
   return {
-    /** The mesh, without its topology if the page knows that. @param {Mesh} mesh @returns {MeshUpdate} */
-    update(mesh) {
+    /**
+     * The mesh, without its topology if the page knows that. Meshes of different refinements may have as many vertices.
+     * @param {Mesh} mesh
+     * @param {number} level of the surface
+     * @param {number} [density]
+     * @returns {MeshUpdate}
+     */
+    update(mesh, level, density = 1) {
       const { centre, positions, normals, curvatures } = mesh;
-      const isKnown = positions.length === known;
-      known = positions.length;
+      const refinement = [level, density, positions.length].join(' ');
+      const isKnown = refinement === known;
+      known = refinement;
       return isKnown ? { centre, positions, normals, curvatures } : mesh;
     },
 
     /** To be called when another run begins. */
     forget() {
-      known = -1;
+      known = '';
     },
   };
 }

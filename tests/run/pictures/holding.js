@@ -5,7 +5,7 @@
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { drawn, dropFile, measured, openAddress, status } from '../../browser/page.js';
+import { drawn, dropFile, measured, minimized, openAddress, status } from '../../browser/page.js';
 import { root } from '../process.js';
 
 /** @typedef {import('playwright-core').Browser} Browser */
@@ -54,7 +54,7 @@ export async function holdingPicture(browser, url, file) {
     };
     await shoot('before');
     await page.locator('#primary').click();
-    await status(page, /after \d+ evaluations/, 600_000);
+    await status(page, minimized, 600_000);
     await shoot('after');
     await page.context().close();
   }

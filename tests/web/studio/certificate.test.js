@@ -32,7 +32,7 @@ describe('a certificate', () => {
       expect(certificateButton(state).enabled).toBe(false);
       expect(reduce(state, press)).toBe(state);
     }
-    expect(certificateButton(ended())).toEqual({ label: 'Certify', action: 'certifyPressed', enabled: true });
+    expect(certificateButton(ended())).toEqual({ label: 'Check', action: 'certifyPressed', enabled: true });
     expect(certificateButton(after(ended(), { type: 'startPressed' })).enabled).toBe(false);
   });
 
@@ -61,7 +61,7 @@ describe('a certificate', () => {
     expect(leaves(refused)).toMatchObject({
       certifying: null,
       certificate: null,
-      alert: { title: 'There is no certificate', message: 'cap flat' },
+      alert: { title: 'Whether it is a minimum cannot be told', message: 'cap flat' },
     });
   });
 
@@ -79,7 +79,10 @@ describe('a certificate', () => {
     expect(leaves(wanted)).toMatchObject({ status: 'ended', stop: 'converged', certifying: null, alert: null });
     expect(wanted.session.opening).toMatchObject({ purpose: 'recovery', start: surfaceState(2, 9) });
     const broken = after(ended(), press, { ...loss, loss: 'broken', detail: 'not enough memory' });
-    expect(broken.view.alert).toEqual({ title: 'The certificate broke off', message: 'not enough memory' });
+    expect(broken.view.alert).toEqual({
+      title: 'The search for lower surfaces broke off',
+      message: 'not enough memory',
+    });
     expect(leaves(after(broken, ...openedMessages(2)))).toMatchObject({ status: 'ended', stop: 'converged', run: 2 });
   });
 });

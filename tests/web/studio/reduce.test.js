@@ -285,7 +285,7 @@ describe('a run', () => {
     const paused = reduce(asked, answered({ type: 'paused', run: 1, progress: progress(0, 5) }));
     expect(leaves(paused)).toMatchObject({ status: 'paused', asked: null });
     expect(working(paused)).toEqual(['Resume', 'Step', 'Cancel', 'Reset']);
-    expect(statusSentence(paused)).toBe('Paused after 5 evaluations.');
+    expect(statusSentence(paused)).toBe('Paused at 146.0; it was still falling.');
     expect(reduce(paused, { type: 'startPressed' }).session.phase.name).toBe('running');
   });
 
@@ -312,7 +312,7 @@ describe('a run', () => {
   test('ends with its reason in words', () => {
     const state = ended();
     expect(leaves(state)).toMatchObject({ status: 'ended', stop: 'converged', saved: { state: surfaceState(2, 9) } });
-    expect(statusSentence(state)).toBe('Converged after 5 evaluations.');
+    expect(statusSentence(state)).toBe('Minimized: 146.0.');
     expect(working(state)).toEqual(['Start', 'Step', 'Reset']);
   });
 
@@ -342,7 +342,7 @@ describe('a run', () => {
       answered({ type: 'ended', run: 1, stop: 'below_bound', progress: progress(0, 5) }),
       measured,
     );
-    expect(statusSentence(state)).toBe('Below the bound after 5 evaluations.');
+    expect(statusSentence(state)).toMatch(/^No minimum: it has less energy than any such surface can/);
     expect(energyNotes(state).map(({ warning }) => warning)).toEqual([true, true]);
   });
 
@@ -393,6 +393,6 @@ describe('a run', () => {
     expect(leaves(asked).asked).toBe('cancel');
     expect(working(asked)).toEqual(['Reset']);
     const state = reduce(asked, answered({ type: 'ended', run: 1, stop: 'cancelled', progress: progress(0, 5) }));
-    expect(statusSentence(state)).toBe('Cancelled after 5 evaluations.');
+    expect(statusSentence(state)).toBe('Stopped at 146.0; it was still falling.');
   });
 });

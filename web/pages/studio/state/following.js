@@ -89,6 +89,7 @@ export function afterRetargeted(state, { runs, group }) {
     samples: [],
     levels: [],
     limit: null,
+    start: result.saved?.state ?? result.start ?? null,
     certificate: null,
     constrained: null,
   });

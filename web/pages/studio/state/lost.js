@@ -62,7 +62,7 @@ function afterCertificate(idle, detail) {
   const kept = { ...result.settings, ...keptOf(settings), origin: settings.origin };
   const alert = certifyingOf(session.phase)?.abandoning
     ? view.alert
-    : { title: 'The certificate broke off', message: detail || 'The surface is kept.' };
+    : { title: 'The search for lower surfaces broke off', message: detail || 'The surface is kept.' };
   return withView(withSession(withDocument(idle, { settings: kept }), { phase: phases.ended }), { alert });
 }
 

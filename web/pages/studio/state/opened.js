@@ -41,8 +41,9 @@ export function afterOpened(state, opening, message) {
     const before = opening.start ? (result.saved?.evaluations ?? 0) : null;
     return withSession(withResult(opened, { settings, group: message.group, taken, held }), { phase, before });
   }
+  const start = purpose === 'start' ? opening.start : (message.asked?.start ?? null);
   const fresh = withSession(
-    withDocument(opened, { result: { ...noResult(settings), group: message.group, taken, held } }),
+    withDocument(opened, { result: { ...noResult(settings), group: message.group, taken, held, start } }),
     {
       phase: then === 'hold' ? phases.resting : phases.running,
     },
@@ -110,7 +111,7 @@ export function afterFailed(state, run, message) {
   if (opening?.run === run) return afterRefused(state, opening, message);
   if (run !== state.session.run) return state;
   const certifying = certifyingOf(phase);
-  const title = certifying ? 'There is no certificate' : 'This did not work';
+  const title = certifying ? 'Whether it is a minimum cannot be told' : 'This did not work';
   const over = withSession(state, { exporting: false, phase: certifying ? phases.ended : phase });
   return withView(over, { alert: { title, message } });
 }

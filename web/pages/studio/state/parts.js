@@ -36,6 +36,7 @@ export const noResult = (settings) => ({
   first: null,
   latest: null,
   saved: null,
+  start: null,
   certificate: null,
   constrained: null,
 });

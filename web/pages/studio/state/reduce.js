@@ -11,6 +11,7 @@ import { afterHold, holdIsUsable, holdsTheSame, keptOf } from './hold.js';
 import { afterLoss } from './lost.js';
 import { followed, takesWeights } from './following.js';
 import { alongAxis, looked } from './looking.js';
+import { canBeCertified, canDescend, goFiner, goOnFromSurface } from './next.js';
 import { beginOpening, firstGenerator, openGenerated, openPreview } from './opening.js';
 import {
   askedOf,
@@ -105,17 +106,6 @@ export function canStartFromSurface({ session, document: { settings, result } })
 /** Whether the next run starts from the current surface. @param {State} state */
 export function startsFromSurface(state) {
   return canStartFromSurface(state) && state.document.settings.origin === 'surface';
-}
-
-/** Whether a run has ended with a surface that has no certificate yet. @param {State} state */
-export function canBeCertified({ session: { phase, opening }, document }) {
-  return phase.name === 'ended' && !opening && !phase.certifying && !document.result.certificate;
-}
-
-/** Whether the surface of an ended run is no minimum, so that the worker may find a lower one. @param {State} state */
-export function canDescend({ session: { phase, opening }, document }) {
-  const { certificate } = document.result;
-  return phase.name === 'ended' && !opening && !phase.certifying && certificate !== null && certificate.negative > 0;
 }
 
 /**
@@ -231,6 +221,10 @@ function changed(state, action) {
         : state;
     case 'cancelPressed':
       return cancel(state);
+    case 'finerPressed':
+      return goFiner(state);
+    case 'goOnPressed':
+      return goOnFromSurface(state);
     case 'resetPressed':
       return openPreview(withSettings(state, { origin: 'cage' }));
     case 'certifyPressed':

@@ -4,16 +4,17 @@
  */
 import { cageWords } from '../../../words/cages.js';
 import { energyWarnings, roundingWords } from '../../../words/energies.js';
-import { functionalWords, stopWords } from '../../../words/functionals.js';
+import { functionalWords } from '../../../words/functionals.js';
 import { foundWords, freeWords } from '../../../words/holding.js';
-import { counted, integer } from '../../../words/numbers.js';
-import { showsEntry } from './entry.js';
+import { integer } from '../../../words/numbers.js';
+import { verdict } from '../../../words/verdict.js';
 import { holdIsUsable } from './hold.js';
 import { askedOf, certifyingOf, evaluationsOf } from './parts.js';
-import { canBeCertified, canDescend, settingsAreFree } from './reduce.js';
+import { canBeCertified, canDescend, outcomeOf } from './next.js';
+import { settingsAreFree } from './reduce.js';
 import { activeWeights, problemWith } from './settings.js';
 
-/** @import {Energies, FunctionalName} from '../../../../wasm/types.js' */
+/** @import {Energies, FunctionalName, Limit} from '../../../../wasm/types.js' */
 /** @import {Action, Opening, Settings, State} from './types.js' */
 
 /** @typedef {{label: string, action: Action['type'], enabled: boolean}} Button */
@@ -56,7 +57,7 @@ export function runButtons(state) {
 export function certificateButton(state) {
   const certifying = certifyingOf(state.session.phase);
   if (canDescend(state)) return { label: 'Descend', action: 'descendPressed', enabled: true };
-  if (!certifying) return { label: 'Certify', action: 'certifyPressed', enabled: canBeCertified(state) };
+  if (!certifying) return { label: 'Check', action: 'certifyPressed', enabled: canBeCertified(state) };
   return { label: 'Cancel', action: 'certificateCancelPressed', enabled: !certifying.abandoning };
 }
 
@@ -81,12 +82,10 @@ export function statusSentence(state) {
   const asked = askedOf(phase);
   if (asked) return asked === 'pause' ? 'Pausing …' : 'Cancelling …';
   if (!document.cage) return 'Drop a cage file on the page, or choose a shape.';
-  const evaluations = counted(evaluationsOf(state), 'evaluation');
   if (phase.name === 'running') return 'Minimizing …';
-  if (phase.name === 'paused') return `Paused after ${evaluations}.`;
-  if (showsEntry(state)) return 'From the catalog.';
-  const { stop } = document.result;
-  if (phase.name === 'ended' && stop) return `${capitalized(stopWords[stop])} after ${evaluations}.`;
+  if (certifyingOf(phase)) return 'Looking for surfaces near it with less energy …';
+  const outcome = outcomeOf(state);
+  if (outcome) return verdict(outcome).sentence;
   return holdIsUsable(state) ? 'Ready.' : 'Cannot start: see Hold.';
 }
 
@@ -101,6 +100,23 @@ export function earlierLevel(state) {
   if (state.session.phase.name !== 'ended' || !latest || !last) return null;
   const current = latest.evaluations >= evaluationsOf(state);
   return current && latest.level < last.level ? latest.level : null;
+}
+
+/**
+ * The limit of the levels and the error of the last integration, if they are final and the surface's own. Where the catalog
+ * knows better than its levels, they tell nothing.
+ * @param {State} state
+ * @returns {{limit: Limit | null, integration: number | null}}
+ */
+export function errorsOf({ document: { result, minimizer }, session: { phase } }) {
+  const over = phase.name === 'ended' && result.stop !== 'interrupted';
+  const known = !result.catalogs || minimizer?.entry.status === 'converged';
+  const credible = result.latest?.energies.resolved && !result.latest.energies.below_bound;
+  const error = result.latest?.energies.quadrature_error ?? NaN;
+  return {
+    limit: over && known ? result.limit : null,
+    integration: over && credible && result.levels.length > 0 && error > 0 ? error : null,
+  };
 }
 
 /**
@@ -126,9 +142,6 @@ export function energyNotes(state) {
     ...energyWarnings(latest.energies).map((words) => ({ words, warning: true })),
   ];
 }
-
-/** @param {string} words */
-const capitalized = (words) => words[0].toUpperCase() + words.slice(1);
 
 /** A cage's name as the page shows it: generated ones in words, files by their name. @param {string} name */
 export function titleOf(name) {

@@ -125,6 +125,8 @@
  * @property {Measurement | null} first the first measurement
  * @property {Measurement | null} latest
  * @property {SavedSurface | null} saved
+ * @property {SurfaceState | null} [start] the surface from which its run began, if not from the cage's; missing in what an
+ *   earlier version kept
  * @property {CertificateReport | null} certificate of its surface
  * @property {ConstraintsReport | null} constrained what the constraints do to its surface, once it has moved
  */
@@ -238,6 +240,7 @@
  *   | {type: 'weightChanged', functional: FunctionalName, weight: number, moving?: boolean}
  *   | {type: 'startPressed'} | {type: 'pausePressed'} | {type: 'stepPressed'} | {type: 'cancelPressed'} | {type:
  * 'resetPressed'}
+ *   | {type: 'finerPressed'} | {type: 'goOnPressed'}
  *   | {type: 'certifyPressed'} | {type: 'descendPressed'} | {type: 'certificateCancelPressed'}
  *   | {type: 'entryLoaded', name: EntryName, entry: CatalogEntry, report: Report}
  *   | {type: 'entryMissing', name: EntryName, message: string, retry?: boolean}

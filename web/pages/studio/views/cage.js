@@ -7,6 +7,7 @@ import { cageWords } from '../../../words/cages.js';
 import { integer } from '../../../words/numbers.js';
 import { repairWords } from '../../../words/results.js';
 import { createLines, element, find, setText, whenChanged } from '../../../views/dom.js';
+import { termButton } from '../../../views/glossary.js';
 
 /** @import {CageReport} from '../../../../wasm/types.js' */
 /** @import {Action, Generator, OpenCage, Result, State} from '../state/types.js' */
@@ -19,6 +20,12 @@ function entryText(name) {
   const { title, genus } = cageWords(name);
   return genus === null ? title : `${title} · genus ${genus}`;
 }
+
+/** Facts that the glossary explains. @type {Record<string, string>} */
+const terms = { Genus: 'genus', Boundaries: 'boundary' };
+
+/** @param {string} fact */
+const named = (fact) => (fact in terms ? [termButton(terms[fact], fact)] : [fact]);
 
 /** @param {OpenCage} cage @param {CageReport} counts of what is open or was filled @returns {Array<[string, string]>} */
 function facts({ source, name }, counts) {
@@ -103,7 +110,12 @@ export function createCageView(root, dispatch, takeFiles) {
       showThickness();
       list.replaceChildren(
         ...(cage ? facts(cage, (taken ?? cage).counts) : []).map(([term, value]) =>
-          element('div', term === 'File' ? { class: 'name' } : {}, element('dt', {}, term), element('dd', {}, value)),
+          element(
+            'div',
+            term === 'File' ? { class: 'name' } : {},
+            element('dt', {}, ...named(term)),
+            element('dd', {}, value),
+          ),
         ),
       );
       showRepairs((cage ? repairWords((taken ?? cage).counts) : []).map((words) => ({ words })));

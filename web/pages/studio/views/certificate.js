@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The certificate: the button that begins or cancels it, its progress, and its result.
+ * @file Whether the surface is a minimum: the button that begins or cancels the check, its progress, and its answer.
  */
 import { certifyingOf } from '../state/parts.js';
 import { certificateButton } from '../state/select.js';
 import { certificateDetails, certificateWords } from '../../../words/results.js';
 import { groupSymbol } from '../../../views/group.js';
-import { element, find, onPress, setEnabled, setText, whenChanged } from '../../../views/dom.js';
+import { find, onPress, setEnabled, setText, whenChanged } from '../../../views/dom.js';
 
 /** @import {CertificateReport} from '../../../../wasm/types.js' */
 /** @import {Button} from '../state/select.js' */
 /** @import {Action, Result, State} from '../state/types.js' */
-
-const DETAILS = 'Eigenvalues of the full Hessian below −τ, relative to the Sobolev product, count as negative.';
 
 /**
  * @param {HTMLElement} root
@@ -24,6 +22,8 @@ export function createCertificateView(root, dispatch) {
   const progress = /** @type {HTMLProgressElement} */ (find(root, 'progress'));
   const question = find(root, '.note');
   const answer = find(root, '[role=status]');
+  const details = find(root, 'details');
+  const numbers = find(details, '.numbers');
   /** @type {Button['action']} */
   let action = 'certifyPressed';
   onPress(button, () => dispatch(/** @type {Action} */ ({ type: action })), listening.signal);
@@ -34,10 +34,11 @@ export function createCertificateView(root, dispatch) {
       /** @type {Result['group']} */ group,
       /** @type {Result['stop']} */ stop,
     ) => {
+      details.hidden = !report;
       if (!report) return answer.replaceChildren();
       const { before, symbol, after } = certificateWords(report, group, stop);
-      const details = element('span', { class: 'note', title: DETAILS }, certificateDetails(report));
-      answer.replaceChildren(before, ...groupSymbol(symbol), `${after} `, details);
+      answer.replaceChildren(before, ...groupSymbol(symbol), after);
+      setText(numbers, certificateDetails(report));
     },
   );
 

@@ -1,38 +1,47 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The limit of the levels' energies with its error bar, or the reason why there is none.
+ * @file Beside the levels: their limit with its error bar, or why there is none, and the error of the integration.
  */
+import { errorsOf } from '../state/select.js';
+import { compact } from '../../../words/numbers.js';
 import { limitWords } from '../../../words/results.js';
 import { element, whenChanged } from '../../../views/dom.js';
+import { termButton } from '../../../views/glossary.js';
 
-/** @import {Result, State} from '../state/types.js' */
-
-/** @param {string} words */
-const sentence = (words) => `${words[0].toUpperCase()}${words.slice(1)}.`;
+/** @import {State} from '../state/types.js' */
 
 /** @param {HTMLElement} root */
 export function createLimitView(root) {
   const show = whenChanged(
     (
-      /** @type {Result['limit']} */ limit,
-      /** @type {Result['levels']} */ levels,
-      /** @type {number | null} */ accuracy,
+      /** @type {ReturnType<typeof errorsOf>['limit']} */ limit,
+      /** @type {ReturnType<typeof errorsOf>['integration']} */ integration,
     ) => {
-      root.hidden = !limit;
-      if (!limit) return root.replaceChildren();
-      const { value, error, words } = limitWords(limit, levels, accuracy);
-      root.classList.toggle('note', !value);
-      root.replaceChildren(
-        ...(error ? ['Limit '] : []),
-        ...(value ? [element('strong', {}, error ? `${value} ± ${error}` : value), ', '] : []),
-        value ? words : sentence(words),
-      );
+      const lines = [];
+      if (limit) {
+        const { value, error, words } = limitWords(limit);
+        const number = error ? `${value} ± ${error}` : value;
+        lines.push(
+          value
+            ? [termButton('limit'), ' of the levels: ', element('strong', {}, number), `, ${words}.`]
+            : [termButton('error-bar', 'No error bar'), `: ${words}.`],
+        );
+      }
+      if (integration !== null)
+        lines.push([
+          `The last energy is `,
+          termButton('integration', 'integrated'),
+          ` to within ${compact(integration, 2)}.`,
+        ]);
+      root.replaceChildren(...lines.map((line) => element('p', { class: 'note' }, ...line)));
     },
   );
   return {
-    /** Shows nothing while a run goes on, because its limit is not final. @param {State} state */
-    update: ({ document: { result }, session: { phase } }) =>
-      show(phase.name === 'running' ? null : result.limit, result.levels, result.settings.accuracy),
+    /** @param {State} state */
+    update(state) {
+      const { limit, integration } = errorsOf(state);
+      show(limit, integration);
+    },
     dispose: () => root.replaceChildren(),
   };
 }

@@ -15,13 +15,6 @@ import { groupSymbol } from '../../../views/group.js';
 /** @import {CapName, FunctionalName} from '../../../../wasm/types.js' */
 /** @import {Action, Result, Settings, State} from '../state/types.js' */
 
-/** @param {Settings['functional']} id @returns {Node[]} */
-function functionalNote(id) {
-  const words = functionals.find((functional) => functional.id === id);
-  if (!words) return [element('p', {}, 'A weighted sum of energies. Third-order ones carry the factor A, the area.')];
-  return [element('p', { class: 'formula' }, words.formula), element('p', {}, words.taste)];
-}
-
 /** A number as a user would type it: 1e-6, 0.01. @param {number} value */
 function plainNumber(value) {
   return value > 0 && value < 1e-3 ? value.toExponential() : String(value);
@@ -125,7 +118,6 @@ export function createObjectiveView(root, dispatch) {
 
   const showSettings = whenChanged((/** @type {Settings} */ settings) => {
     functional.value = settings.functional;
-    find(root, '#functional-words').replaceChildren(...functionalNote(settings.functional));
     weights.hidden = settings.functional !== 'blend';
     for (const [id, inputs] of weightInputs) {
       for (const input of inputs) {

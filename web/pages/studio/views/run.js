@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The run's buttons, its status in words, and its current numbers.
+ * @file The run's status or result in a sentence, the next thing to do, the run's buttons, and its current numbers.
  */
+import { nextButton } from '../state/next.js';
 import { runButtons, statusSentence } from '../state/select.js';
 import { counted, significant } from '../../../words/numbers.js';
+import { effortWords } from '../../../words/results.js';
 import { find, onPress, setEnabled, setText } from '../../../views/dom.js';
 
 /** @import {Button} from '../state/select.js' */
-/** @import {Action, State} from '../state/types.js' */
+/** @import {Action, Result, State} from '../state/types.js' */
 
-/** @param {State} state */
+/** Reasons to end at a surface that is not the result of all levels. @type {Array<Result['stop']>} */
+const HALTED = [null, 'cancelled', 'interrupted', 'max_iterations'];
+
+/** The numbers of a run that goes on or may, and else what it took. @param {State} state */
 function progressLine({ document, session }) {
-  const { samples, progress } = document.result;
+  const { samples, progress, stop, levels } = document.result;
   const runs = session.phase.name === 'running';
   const sample = samples.at(-1);
   if (!progress || !sample) return runs ? 'Preparing the level …' : '';
   if (runs && progress.phase === 'prepare') return `Preparing level ${progress.level} …`;
+  if (session.phase.name === 'ended' && !HALTED.includes(stop)) return effortWords(levels, sample.evaluation);
   return [
     `energy ${significant(sample.energy, 6)}`,
     `level ${sample.level}`,
@@ -31,6 +37,7 @@ export function createRunView(root, dispatch) {
   const listening = new AbortController();
   const names = /** @type {const} */ (['primary', 'step', 'cancel', 'reset']);
   const buttons = names.map((name) => /** @type {HTMLButtonElement} */ (find(root, `#${name}`)));
+  const next = /** @type {HTMLButtonElement} */ (find(root, '#next'));
   const status = find(root, '#status');
   const progress = find(root, '#progress');
   /** @type {Button['action'][]} */
@@ -38,6 +45,20 @@ export function createRunView(root, dispatch) {
   buttons.forEach((button, i) => {
     onPress(button, () => dispatch(/** @type {Action} */ ({ type: actions[i] })), listening.signal);
   });
+
+  /** @type {Action['type'] | null} */
+  let nextAction = null;
+  onPress(next, () => nextAction && dispatch(/** @type {Action} */ ({ type: nextAction })), listening.signal);
+
+  /** Shows the next thing to do, if there is one, as the first button of all. @param {State} state */
+  function showNext(state) {
+    const shown = nextButton(state);
+    nextAction = shown?.action ?? null;
+    if (shown) setText(next, shown.label);
+    else if (document.activeElement === next) buttons[0].focus(); // what has the focus must not vanish
+    next.hidden = !shown;
+    buttons[0].classList.toggle('primary', !shown);
+  }
 
   return {
     /** @param {State} state */
@@ -49,6 +70,7 @@ export function createRunView(root, dispatch) {
         actions[i] = shown[name].action;
       });
       setText(status, statusSentence(state));
+      showNext(state);
       setText(progress, progressLine(state));
     },
     dispose: () => listening.abort(),

@@ -10,6 +10,7 @@ import { freeName, lengthUnit } from '../../../words/holding.js';
 import { counted, duration, integer, significant, withError } from '../../../words/numbers.js';
 import { metricWords, thickenedWords } from '../../../words/results.js';
 import { createLines, element, whenChanged } from '../../../views/dom.js';
+import { termButton } from '../../../views/glossary.js';
 
 /** @import {ConstraintsReport, Energies, LevelReport} from '../../../../wasm/types.js' */
 /** @import {Measurement, Result, Settings, State} from '../state/types.js' */
@@ -21,17 +22,14 @@ const ROUND_OFF = 1e-9;
 const DIVERGES = 'Third-order energies are infinite at extraordinary vertices without a cap.';
 
 /**
- * The content of a cell: a number, with an error bar if it has one; or the reason why there is none.
+ * The content of a cell: a number, with the digits that its error justifies; or the reason why there is none.
  * @param {number} value
- * @param {number | null} error
+ * @param {number | null} error of the integration
  * @returns {Node[]}
  */
 function cell(value, error) {
   if (Number.isNaN(value)) return [element('span', { class: 'muted', title: DIVERGES }, 'diverges')];
-  if (error === null) return [document.createTextNode(significant(value))];
-  const parts = withError(value, error);
-  const bar = element('span', { class: 'error', title: 'Quadrature error' }, ` ± ${parts.error}`);
-  return parts.error ? [document.createTextNode(parts.value), bar] : [document.createTextNode(parts.value)];
+  return [document.createTextNode(error === null ? significant(value) : withError(value, error).value)];
 }
 
 /**
@@ -168,16 +166,21 @@ function levelTitle({ unknowns, seconds, metrics, evaluable }) {
 /** @param {HTMLElement} root */
 export function createLevelsView(root) {
   const body = element('tbody');
-  const heads = ['Level', 'Patches', 'Energy', 'Evaluations', 'Metric', 'Ended'].map((name) =>
-    element('th', { scope: 'col' }, name),
-  );
+  const heads = [
+    termButton('level', 'Level'),
+    termButton('patch', 'Patches'),
+    'Energy',
+    termButton('evaluation', 'Evaluations'),
+    termButton('metric', 'Metric'),
+    'Ended',
+  ].map((name) => element('th', { scope: 'col' }, name));
   const notes = element('div');
   root.append(element('table', { class: 'levels' }, element('thead', {}, element('tr', {}, ...heads)), body), notes);
   const showNotes = createLines(notes);
 
   const show = whenChanged((/** @type {Result['levels']} */ levels) => {
-    const section = root.closest('section');
-    if (section) section.hidden = !levels.length;
+    const details = root.closest('details');
+    if (details) details.hidden = !levels.length;
     showNotes(thickenedWords(levels).map((words) => ({ words })));
     body.replaceChildren(
       ...levels.map((report) => {
