@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+#include "cage/read.h"
 #include "cli/files.h"
 #include "problem/text.h"
 
@@ -29,7 +30,9 @@ Result<std::string> open_cage(CageInput& input, const fs::path& folder) {
     const std::string file = (folder / path->file).string();
     Result<std::string> text = read_file(file);
     if (!text) return text.error();
-    input = CageText{file, std::move(text).value()};
+    Result<std::string> cage = cage_text(*text);
+    if (!cage) return Error{fmt::format("{}: {}", file, cage.error().message)};
+    input = CageText{file, std::move(cage).value()};
   }
   if (const auto* generated = std::get_if<GeneratedCage>(&input)) return generated->generator;
   const std::string& name = std::get<CageText>(input).name;
@@ -42,7 +45,11 @@ Result<ProblemFile> load_problem(const std::string& path) {
   const std::string name = name_of_file(path);
   Result<std::string> text = read_file(path);
   if (!text) return text.error();
-  if (!is_json(*text)) return ProblemFile{{.cage = CageText{name, std::move(text).value()}}, name, false};
+  if (!is_json(*text)) {
+    Result<std::string> cage = cage_text(*text);
+    if (!cage) return Error{fmt::format("{}: {}", name, cage.error().message)};
+    return ProblemFile{{.cage = CageText{name, std::move(cage).value()}}, name, false};
+  }
   Result<Problem> problem = parse_problem(*text);
   if (!problem) return Error{fmt::format("{}: {}", name, problem.error().message)};
   const Result<std::string> cage = open_cage(problem->cage, path == "-" ? fs::path() : fs::path(path).parent_path());
