@@ -58,11 +58,14 @@ std::optional<Error> find_axes(const PlyElement& vertices, PlyRoles& roles) {
 }
 
 std::optional<Error> find_corners(const PlyElement& faces, PlyRoles& roles) {
-  auto property = only_property(faces, kCorners[0]);
-  if (!property) property = only_property(faces, kCorners[1]);
-  if (!property) {
+  const auto there = std::find_if(kCorners.begin(), kCorners.end(), [&](std::string_view name) {
+    return std::any_of(faces.properties.begin(), faces.properties.end(), [&](const auto& p) { return p.name == name; });
+  });
+  if (there == kCorners.end()) {
     return at_line(faces.line, fmt::format("the element face has no property {} or {}", kCorners[0], kCorners[1]));
   }
+  const auto property = only_property(faces, *there);
+  if (!property) return property.error();
   if (!faces.properties[*property].length_type) {
     return at_line(faces.line, fmt::format("the property {} is no list", faces.properties[*property].name));
   }

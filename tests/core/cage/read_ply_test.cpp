@@ -189,6 +189,8 @@ TEST(ReadPly, errors_of_a_header_name_its_line) {
   EXPECT_EQ(header("float y", "list int int y"), "line 3: the property y is a list, not a number");
   EXPECT_EQ(header("vertex_index", "corners"),
             "line 7: the element face has no property vertex_indices or vertex_index");
+  EXPECT_EQ(header("end_header", "property list int int vertex_index\nend_header"),
+            "line 7: the element face has two properties vertex_index");
   EXPECT_EQ(header("list uchar int", "int"), "line 7: the property vertex_index is no list");
   EXPECT_EQ(header("element face 4", "element faces 4"),
             "line 9: the header ends without an element face: strips, edges and points are not read");
