@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "cage/read.h"
+#include "cage/text.h"
 #include "cli/files.h"
 #include "problem/text.h"
 
@@ -43,7 +44,7 @@ Result<std::string> open_cage(CageInput& input, const fs::path& folder) {
   }
   if (const auto* generated = std::get_if<GeneratedCage>(&input)) return generated->generator;
   const std::string& name = std::get<CageText>(input).name;
-  return name.empty() ? std::string("its cage") : name;
+  return name.empty() ? std::string("its cage") : printable(name);
 }
 
 }  // namespace

@@ -46,6 +46,16 @@ describe.each(readers)('%s', (...command) => {
   });
 });
 
+test('a name of a cage that a terminal would obey is printed without what makes it do so', () => {
+  const cage = { name: 'a\n\u001b[2Jb', text: 'v 0 0 0\nf 1 2 3\n' };
+  const problem = JSON.stringify({ umbilic: 'problem', version: 1, cage, terms: { bending: 1 } });
+  const { code, err } = umbilic(['optimize', '-'], { input: problem });
+  expect({ code, err }).toEqual({
+    code: 3,
+    err: 'umbilic: a??[2Jb: line 2: face 1 names vertex 2, but there are 1 vertices\n',
+  });
+});
+
 describe('binary PLY', () => {
   /** A tetrahedron in the format binary_big_endian. @param {number} [index] the last index of the first face */
   function ply(index = 2) {
