@@ -11,6 +11,7 @@
 
 #include "base/threads.h"
 #include "cage/generate.h"
+#include "cage/read.h"
 #include "cage/write.h"
 #include "driver/surface.h"
 #include "energy/torus.h"
@@ -92,6 +93,15 @@ umbilic_status umbilic_cage_create(const char* text, size_t length, umbilic_cage
     if (!cage) return fail(cage.error());
     *out = new umbilic_cage{std::move(cage->cage), std::move(cage->report)};
     return UMBILIC_OK;
+  });
+}
+
+umbilic_status umbilic_cage_text(const char* file, size_t length, umbilic_text* text) {
+  return guarded([&] {
+    if (!all_given(file, text)) return UMBILIC_BAD_ARGUMENT;
+    Result<std::string> cage = cage_text({file, length});
+    if (!cage) return fail(cage.error());
+    return answer(std::move(cage).value(), text);
   });
 }
 

@@ -96,8 +96,15 @@ umbilic_status umbilic_functional_names(umbilic_text* names);
 
 /* ---- cages ---- */
 
-/** Makes a cage from a problem's "cage": {"generator": "two-3", …} or {"text": "the text of an OBJ or OFF file"}. */
+/** Makes a cage from a problem's "cage": {"generator": "two-3", …} or {"text": "the text of an OBJ, OFF or PLY file"}.
+ */
 umbilic_status umbilic_cage_create(const char* cage, size_t length, umbilic_cage** out);
+
+/**
+ * A text that holds the same cage as the bytes of a file, for a problem's "cage": {"text": …}. Binary PLY is checked
+ * and becomes OBJ with all digits; any other file is returned as it is, and checked only where the text is used.
+ */
+umbilic_status umbilic_cage_text(const char* file, size_t length, umbilic_text* text);
 
 /** Like all functions that destroy, does nothing if the handle is null. */
 void umbilic_cage_destroy(umbilic_cage* cage);

@@ -199,8 +199,16 @@ export const stringFrom = (name) => core().UTF8ToString(plainCall(name));
  * @param {(pointer: number, length: number) => T} use
  * @returns {T}
  */
-export function withText(text, use) {
-  const bytes = new TextEncoder().encode(text);
+export const withText = (text, use) => withBytes(new TextEncoder().encode(text), use);
+
+/**
+ * Runs `use` with a copy of the bytes in the module's memory.
+ * @template T
+ * @param {Uint8Array} bytes
+ * @param {(pointer: number, length: number) => T} use
+ * @returns {T}
+ */
+export function withBytes(bytes, use) {
   const pointer = allocate(bytes.length + 1);
   try {
     core().HEAPU8.set(bytes, pointer);

@@ -25,7 +25,7 @@
  * @property {[number, number]} [segments] for the torus: number around the axis and around the tube
  */
 
-/** The text of an OBJ or OFF file. @typedef {{name?: string, text: string | Uint8Array}} CageText */
+/** The text of an OBJ, OFF or PLY file, or its bytes. @typedef {{name?: string, text: string | Uint8Array}} CageText */
 
 /** @typedef {GeneratedCage | CageText} CageInput */
 

@@ -25,12 +25,13 @@ import {
   stringFrom,
   textFrom,
   valueFrom,
+  withBytes,
   withMesh,
   withPoints,
   withText,
   wordFrom,
 } from './memory.js';
-import { InputError, parse } from './values.js';
+import { InputError, mayBeBinary, parse } from './values.js';
 
 /**
  * @import {CageInput, CageReport, CertificateReport, Energies, FaceGroup, FunctionalName, GeneratedCage, Group, LevelReport, Limit,
@@ -64,10 +65,21 @@ function count(value, name, least) {
   throw new InputError(`${name} is ${value}, not a whole number of at least ${least}`);
 }
 
-/** @param {CageInput} cage @returns {object} the cage with a file's bytes decoded to text */
+/** @param {CageInput} cage @returns {object} the cage with a file's bytes as text @throws {InputError} for binary files */
 function plainCage(cage) {
-  const text = /** @type {{text?: unknown}} */ (cage)?.text;
-  return text instanceof Uint8Array ? { ...cage, text: new TextDecoder().decode(text) } : cage;
+  const { text, name } = /** @type {{text?: unknown, name?: string}} */ (cage ?? {});
+  return text instanceof Uint8Array ? { ...cage, text: textOf(text, name) } : cage;
+}
+
+/** @param {Uint8Array} file @param {string} [name] @returns {string} */
+function textOf(file, name) {
+  if (!mayBeBinary(file)) return new TextDecoder().decode(file);
+  try {
+    return withBytes(file, (pointer, length) => textFrom('cage_text', pointer, length));
+  } catch (error) {
+    if (name && error instanceof InputError) error.message = `${name}: ${error.message}`;
+    throw error;
+  }
 }
 
 /**
@@ -126,7 +138,7 @@ export class Cage {
     );
   }
 
-  /** @param {string | Uint8Array} text OBJ or OFF @param {string} [name] @throws {InputError} */
+  /** @param {string | Uint8Array} text OBJ, OFF or PLY @param {string} [name] @throws {InputError} */
   static read(text, name = '') {
     return new Cage({ name, text });
   }

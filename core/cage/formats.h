@@ -25,8 +25,13 @@ struct PolygonFile {
 /// `text` begins with an OFF keyword.
 bool is_off(std::string_view text);
 
+/// `file` begins with the line "ply".
+bool is_ply(std::string_view file);
+
 Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits = {});
 Result<PolygonFile> parse_off(std::string_view text, const ReadLimits& limits = {});
+/// Of the formats ascii, whose errors name lines, and binary, whose errors name elements: "face 3: …".
+Result<PolygonFile> parse_ply(std::string_view file, const ReadLimits& limits = {});
 
 inline Error at_line(int line, const std::string& message) {
   return Error{"line " + std::to_string(line) + ": " + message};
@@ -54,6 +59,9 @@ class VertexList {
   /// Reads x, y and z off the front of `words`; anything behind them is ignored. The error names no line. Fails, too,
   /// where the list is full.
   Result<Vector3> append(std::string_view& words);
+
+  /// Adds a finite position to a list that is not full.
+  void add(const Vector3& position);
 
   Points points() const;
 

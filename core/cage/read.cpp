@@ -8,6 +8,8 @@
 #include <algorithm>
 
 #include "cage/formats.h"
+#include "cage/ply_header.h"
+#include "cage/write.h"
 
 namespace umbilic {
 
@@ -25,29 +27,54 @@ int line_of(std::string_view text, std::size_t position) {
   return line;
 }
 
-}  // namespace
-
-Result<CheckedCage> read_checked_cage(std::string_view text, const ReadLimits& limits) {
-  if (text.size() > limits.bytes) return Error{fmt::format("the file has more than {} bytes", limits.bytes)};
-  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
-  if (text.find_first_not_of(" \t\v\f\r\n") == std::string_view::npos) return Error{"the file is empty"};
-
-  // Binary OFF must be recognized by its first line, before its bytes are read as text.
-  auto file = is_off(text) ? parse_off(text, limits) : parse_obj(text, limits);
-  if (const std::size_t zero = text.find('\0'); !file && zero != std::string_view::npos && !is_off(text)) {
-    return Error{fmt::format("line {}: not a text file: it holds a zero byte", line_of(text, zero))};
-  }
-  if (!file) return file.error();
-  auto report = validate(file->cage, file->source);
-  if (!report) return report.error();
-  report->notes.insert(report->notes.begin(), file->notes.begin(), file->notes.end());
-  return CheckedCage{std::move(file->cage), std::move(*report)};
+/// The file behind its byte-order mark.
+std::string_view without_mark(std::string_view file) {
+  if (file.starts_with(kByteOrderMark)) file.remove_prefix(kByteOrderMark.size());
+  return file;
 }
 
-Result<Cage> read_cage(std::string_view text) {
-  auto checked = read_checked_cage(text);
+/// The polygons, before they are validated.
+Result<PolygonFile> parse_polygons(std::string_view file, const ReadLimits& limits) {
+  if (file.size() > limits.bytes) return Error{fmt::format("the file has more than {} bytes", limits.bytes)};
+  file = without_mark(file);
+  if (file.find_first_not_of(" \t\v\f\r\n") == std::string_view::npos) return Error{"the file is empty"};
+
+  if (is_ply(file)) return parse_ply(file, limits);
+  // Binary OFF must be recognized by its first line, before its bytes are read as text.
+  if (is_off(file)) return parse_off(file, limits);
+  auto polygons = parse_obj(file, limits);
+  if (const std::size_t zero = file.find('\0'); !polygons && zero != std::string_view::npos) {
+    return Error{fmt::format("line {}: not a text file: it holds a zero byte", line_of(file, zero))};
+  }
+  return polygons;
+}
+
+}  // namespace
+
+Result<CheckedCage> read_checked_cage(std::string_view file, const ReadLimits& limits) {
+  auto polygons = parse_polygons(file, limits);
+  if (!polygons) return polygons.error();
+  auto report = validate(polygons->cage, polygons->source);
+  if (!report) return report.error();
+  report->notes.insert(report->notes.begin(), polygons->notes.begin(), polygons->notes.end());
+  return CheckedCage{std::move(polygons->cage), std::move(*report)};
+}
+
+Result<Cage> read_cage(std::string_view file) {
+  auto checked = read_checked_cage(file);
   if (!checked) return checked.error();
   return std::move(checked->cage);
+}
+
+Result<std::string> cage_text(std::string_view file) {
+  if (!is_ply(without_mark(file))) return std::string(file);
+  const auto header = parse_ply_header(without_mark(file));
+  if (header && header->format == PlyFormat::kAscii) return std::string(file);
+  const auto polygons = parse_polygons(file, {});
+  if (!polygons) return polygons.error();
+  Cage validated = polygons->cage;
+  if (auto report = validate(validated, polygons->source); !report) return report.error();
+  return write_obj(polygons->cage);
 }
 
 }  // namespace umbilic

@@ -153,7 +153,9 @@ Result<PolygonFile> parse_obj(std::string_view text, const ReadLimits& limits) {
     }
   }
   if (vertices.size() == 0 && file.cage.faces.empty()) {
-    return Error{"neither OBJ nor OFF: there is no line of an OBJ vertex or face, and no OFF keyword at the start"};
+    return Error{
+        "neither OBJ nor OFF nor PLY: there is no line of an OBJ vertex or face, and no keyword of OFF or PLY at the "
+        "start"};
   }
   if (file.cage.faces.empty()) {
     return Error{

@@ -25,8 +25,12 @@ Result<Vector3> VertexList::append(std::string_view& words) {
     }
     position[axis] = *number;
   }
-  coordinates_.insert(coordinates_.end(), position.begin(), position.end());
+  add(position);
   return position;
+}
+
+void VertexList::add(const Vector3& position) {
+  coordinates_.insert(coordinates_.end(), position.begin(), position.end());
 }
 
 Points VertexList::points() const { return Eigen::Map<const Points>(coordinates_.data(), size(), 3); }

@@ -47,7 +47,7 @@ Result<CapKind> parse_cap(const std::string& name) { return called<CapKind>(name
 Result<MetricChoice> parse_metric(const std::string& name) { return called<MetricChoice>(name); }
 
 void add_cage_argument(CLI::App& command, std::string& path) {
-  command.add_option("CAGE", path, "OBJ or OFF file of a polygon mesh, or - for standard input")
+  command.add_option("CAGE", path, "OBJ, OFF or PLY file of a polygon mesh, or - for standard input")
       ->required()
       ->type_name("");
 }

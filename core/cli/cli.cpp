@@ -25,7 +25,7 @@ int run_command_line(int argc, const char* const* argv) {
     return fmt::format("umbilic: {}\nRun with --help for more information.\n", printable_lines(error.what()));
   });
   app.footer(
-      "CAGE is an OBJ or OFF file of a polygon mesh, closed or open, or - for standard input.\n"
+      "CAGE is an OBJ, OFF or PLY file of a polygon mesh, closed or open, or - for standard input.\n"
       "Exit codes: 0 ended with a result, 1 check-gradient or catalog --check found a mismatch, 2 bad usage,\n"
       "3 bad input, 4 cannot write, 5 the energies are not the surface's (evaluate, optimize), 6 out of memory,\n"
       "130 interrupted, with what there was written.");

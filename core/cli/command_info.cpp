@@ -96,7 +96,7 @@ void add_info_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<InfoArguments>();
   command
       ->add_option("CAGE", arguments->cage,
-                   "OBJ or OFF file of a polygon mesh; or a problem or report (JSON), whose cage is\n"
+                   "OBJ, OFF or PLY file of a polygon mesh; or a problem or report (JSON), whose cage is\n"
                    "described with its holes; or - for standard input")
       ->required()
       ->type_name("");

@@ -225,7 +225,7 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<OptimizeArguments>();
   command
       ->add_option("INPUT", arguments->input,
-                   "A problem, or a report to go on from (JSON); or an OBJ or OFF file of a\n"
+                   "A problem, or a report to go on from (JSON); or an OBJ, OFF or PLY file of a\n"
                    "polygon mesh, closed or open; or - for standard input")
       ->type_name("");
   add_problem_options(*command, std::shared_ptr<ProblemChanges>(arguments, &arguments->changes));

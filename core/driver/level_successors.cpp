@@ -24,8 +24,10 @@ class MappedMetric : public Metric {
   Eigen::SparseMatrix<double> map_;
 };
 
+/// Of matrices without rows or columns, which are those of a level that has no unknowns, Eigen takes no norm.
 bool same(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
-  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() && (a - b).norm() == 0;
+  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+         (a.nonZeros() == 0 || (a - b).norm() == 0);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cage/read.h"
+#include "cage/text.h"
 
 namespace umbilic {
 namespace {
@@ -34,7 +35,7 @@ Result<CheckedCage> cage_of(const CageInput& input) {
 
 Error named(const CageInput& input, Error error) {
   const auto* text = std::get_if<CageText>(&input);
-  if (text && !text->name.empty()) error.message = fmt::format("{}: {}", text->name, error.message);
+  if (text && !text->name.empty()) error.message = fmt::format("{}: {}", printable(text->name), error.message);
   return error;
 }
 

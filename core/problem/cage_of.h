@@ -12,7 +12,7 @@ namespace umbilic {
 /// files.
 Result<CheckedCage> cage_of(const CageInput& input);
 
-/// The error, preceded by the cage's name if it has one.
+/// The error, preceded by the cage's name if it has one, with '?' for what of it cannot be printed.
 Error named(const CageInput& input, Error error);
 
 }  // namespace umbilic

@@ -60,7 +60,7 @@ struct GeneratedCage {
   }
 };
 
-/// A cage as the text of an OBJ or OFF file.
+/// A cage as the text of an OBJ, OFF or PLY file; of binary PLY see cage_text (cage/read.h).
 struct CageText {
   static constexpr std::string_view kKey = "text";
   std::string name;  ///< name in messages; may be empty
@@ -69,7 +69,7 @@ struct CageText {
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("name", self.name, "What messages call it");
-    visit.required("text", self.text, "The text of an OBJ or OFF file");
+    visit.required("text", self.text, "The text of an OBJ, OFF or PLY file");
   }
 };
 
@@ -81,7 +81,7 @@ struct CagePath {
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
-    visit.required("file", self.file, "Path of an OBJ or OFF file, for the command line only");
+    visit.required("file", self.file, "Path of an OBJ, OFF or PLY file, for the command line only");
   }
 };
 

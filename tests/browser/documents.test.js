@@ -4,6 +4,7 @@
  * reload, in the middle of a run, after a visit to another page, and with two pages on one store.
  */
 import { describe, expect, test } from '@jest/globals';
+import { objCube, plyCube } from '../wasm/ply_cube.js';
 import { fish } from './fish.js';
 import {
   downloadedText,
@@ -160,6 +161,28 @@ describe('after a reload', () => {
     expect(errors).toEqual([]);
     await page.context().close();
   }, 240_000);
+});
+
+describe('a file of bytes that are no text', () => {
+  test('is dropped, kept over a visit, passed on as text, and refused by the element that is wrong', async () => {
+    const { page, errors } = await openPage(served.browser, served.url);
+    await dropFile(page, 'cube.ply', plyCube());
+    await page.locator('.facts').filter({ hasText: 'cube.ply' }).waitFor();
+    await measured(page);
+    expect(await page.locator('.facts').innerText()).toMatch(/Vertices\s*8/);
+    expect(JSON.parse(await downloadedText(page, 'problem')).cage).toEqual({ name: 'cube.ply', text: objCube() });
+    await kept(page);
+    await page.reload();
+    await page.locator('.facts').filter({ hasText: 'cube.ply' }).waitFor();
+    await measured(page);
+    expect(JSON.parse(await downloadedText(page, 'problem')).cage).toEqual({ name: 'cube.ply', text: objCube() });
+    await dropFile(page, 'broken.ply', plyCube(8));
+    const notice = page.locator('#alert').filter({ hasText: 'broken.ply was not opened' });
+    await notice.waitFor();
+    expect(await notice.innerText()).toContain('index 8 does not exist: 8 vertices have the indices 0 to 7');
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
 });
 
 describe('a document', () => {

@@ -203,16 +203,17 @@ export async function download(page, what) {
 /** The text of a download. @param {Page} page @param {Parameters<typeof download>[1]} what */
 export const downloadedText = async (page, what) => (await download(page, what)).content.toString();
 
-/** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
-export const dropFile = (page, name, text) => dropFiles(page, [[name, text]]);
+/** Drops a file on the page. @param {Page} page @param {string} name @param {string | Uint8Array} content */
+export const dropFile = (page, name, content) => dropFiles(page, [[name, content]]);
 
-/** Drops files on the page, at once. @param {Page} page @param {[name: string, text: string][]} files */
+/** Drops files on the page, at once. @param {Page} page @param {[name: string, content: string | Uint8Array][]} files */
 export async function dropFiles(page, files) {
+  const encoded = files.map(([name, content]) => ({ name, bytes: [...Buffer.from(content)] }));
   const transfer = await page.evaluateHandle((all) => {
     const created = new DataTransfer();
-    for (const [name, content] of all) created.items.add(new File([content], name));
+    for (const { name, bytes } of all) created.items.add(new File([Uint8Array.from(bytes)], name));
     return created;
-  }, files);
+  }, encoded);
   for (const type of ['dragenter', 'dragover', 'drop']) {
     await page.dispatchEvent('body', type, { dataTransfer: transfer });
   }

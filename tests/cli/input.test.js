@@ -46,6 +46,72 @@ describe.each(readers)('%s', (...command) => {
   });
 });
 
+test('a name of a cage that a terminal would obey is printed without what makes it do so', () => {
+  const cage = { name: 'a\n\u001b[2Jb', text: 'v 0 0 0\nf 1 2 3\n' };
+  const problem = JSON.stringify({ umbilic: 'problem', version: 1, cage, terms: { bending: 1 } });
+  const { code, err } = umbilic(['optimize', '-'], { input: problem });
+  expect({ code, err }).toEqual({
+    code: 3,
+    err: 'umbilic: a??[2Jb: line 2: face 1 names vertex 2, but there are 1 vertices\n',
+  });
+});
+
+describe('binary PLY', () => {
+  /** A tetrahedron in the format binary_big_endian. @param {number} [index] the last index of the first face */
+  function ply(index = 2) {
+    const header =
+      'ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n' +
+      'property uchar red\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n';
+    const body = Buffer.alloc(4 * 25 + 4 * 13);
+    const third = 1 / 3;
+    const vertices = [
+      [third, third, third],
+      [third, -third, -third],
+      [-third, third, -third],
+      [-third, -third, third],
+    ];
+    vertices.flat().forEach((x, i) => body.writeDoubleBE(x, 25 * Math.floor(i / 3) + 8 * (i % 3)));
+    const faces = [
+      [0, 1, index],
+      [0, 2, 3],
+      [0, 3, 1],
+      [1, 3, 2],
+    ];
+    faces.forEach((face, f) => {
+      body.writeUInt8(3, 100 + 13 * f);
+      face.forEach((v, k) => body.writeInt32BE(v, 101 + 13 * f + 4 * k));
+    });
+    return Buffer.concat([Buffer.from(header), body]);
+  }
+
+  test.each(readers)('is read by %s, from a file and from a pipe', (...command) => {
+    const file = scratch.write('tetrahedron.ply', ply());
+    expect(umbilic([...command, file])).toMatchObject({ code: 0 });
+    expect(shell(`"$UMBILIC" ${command.join(' ')} - < tetrahedron.ply`, scratch.folder)).toMatchObject({ code: 0 });
+  });
+
+  test('is described as any other cage', () => {
+    const { cage } = jsonOf(['info', scratch.write('coloured.ply', ply()), '--json']);
+    expect(cage).toEqual(jsonOf(['info', '-', '--json'], { input: tetrahedron }).cage);
+  });
+
+  test('stands in problems and reports as text with the same digits', () => {
+    const file = scratch.write('third.ply', ply());
+    const problem = jsonOf(['optimize', file, '--functional', 'bending', '--print-problem']);
+    const vertices = problem.cage.text.match(/^v .*$/gm);
+    expect(vertices.slice(0, 2)).toEqual([`v ${1 / 3} ${1 / 3} ${1 / 3}`, `v ${1 / 3} ${-1 / 3} ${-1 / 3}`]);
+    const asked = { umbilic: 'problem', version: 1, cage: { file: 'third.ply' }, terms: { bending: 1 } };
+    const beside = scratch.write('problem.json', JSON.stringify(asked));
+    expect(jsonOf(['optimize', beside, '--print-problem']).cage.text).toBe(problem.cage.text);
+  });
+
+  test.each(readers)('is refused by %s with the name of the element', (...command) => {
+    const file = scratch.write('broken.ply', ply(4));
+    const reason = "'face' 1: index 4 does not exist: 4 vertices have the indices 0 to 3";
+    expect(umbilic([...command, file])).toEqual({ code: 3, out: '', err: `umbilic: ${file}: ${reason}\n` });
+  });
+});
+
 describe('a cage whose surface cannot be evaluated', () => {
   // Two triangles back to back: closed, and every vertex has valence 2.
   const pillow = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n';

@@ -86,7 +86,7 @@ export function scratchFolder() {
     folder,
     /** @param {string} name */
     path: (name) => path.join(folder, name),
-    /** @param {string} name @param {string} text @returns {string} the file's path */
+    /** @param {string} name @param {string | Uint8Array} text @returns {string} the file's path */
     write(name, text) {
       const file = path.join(folder, name);
       writeFileSync(file, text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Builds parts of the project into build/: `node tests/run/build.js native sanitize wasm types web`.
+ * @file Builds parts of the project into build/: `node tests/run/build.js native sanitize wasm types web fuzz`.
  */
 import { existsSync, readdirSync, rmSync, statSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -9,10 +9,17 @@ import { pathToFileURL } from 'node:url';
 import { installPackages, installTools } from './install.js';
 import { output, root, run } from './process.js';
 
-/** @typedef {'native' | 'sanitize' | 'wasm' | 'types' | 'web'} Part */
+/** @typedef {'native' | 'sanitize' | 'wasm' | 'types' | 'web' | 'fuzz'} Part */
 
 /** The parts in the order in which they are built, and what must be installed for each. @type {Record<Part, import('./install.js').Need[]>} */
-export const parts = { native: ['native'], wasm: ['wasm'], types: [], web: [], sanitize: ['native'] };
+export const parts = {
+  native: ['native'],
+  wasm: ['wasm'],
+  types: [],
+  web: [],
+  sanitize: ['native'],
+  fuzz: ['native', 'fuzz'],
+};
 
 /**
  * The folder of build/ for a part. The sanitized tests share the objects of the native ones.
@@ -32,6 +39,7 @@ export async function build(part, ...targets) {
   const folder = folderOf(part);
   if (!existsSync(path.join(root, 'build', folder, 'build.ninja')) && !(await configure(folder))) return false;
   if (part === 'sanitize' && !targets.length) targets = ['umbilic_sanitized_tests'];
+  if (part === 'fuzz' && !targets.length) targets = ['umbilic_fuzz'];
   const jobs = String(availableParallelism());
   const quiet = process.stdout.isTTY ? [] : ['--quiet'];
   return (await run('ninja', ['-C', `build/${folder}`, '-k', '0', '-j', jobs, ...quiet, ...targets])) === 0;
@@ -39,12 +47,13 @@ export async function build(part, ...targets) {
 
 /**
  * Runs CMake to write a part's build files. The build itself notices later changes of CMake's files.
- * @param {'native' | 'wasm'} part
+ * @param {'native' | 'wasm' | 'fuzz'} part
  * @returns {Promise<boolean>}
  */
 export async function configure(part) {
   const settings = {
     native: [],
+    fuzz: ['-DCMAKE_CXX_COMPILER=clang++', '-DUMBILIC_FUZZ=ON'],
     wasm: [`-DCMAKE_TOOLCHAIN_FILE=${emscriptenToolchain()}`],
   };
   const args = ['-S', '.', '-B', `build/${part}`, '-G', 'Ninja', '--log-level=WARNING', ...settings[part]];

@@ -20,6 +20,7 @@ function executables() {
     : [];
   const layers = folders.filter(({ name }) => hasTests(path.join(core, name))).map(({ name }) => name);
   if (hasTests(path.join(root, 'tests/wasm'))) layers.push('api');
+  if (hasTests(path.join(root, 'tests/fuzz'))) layers.push('fuzz');
   return layers.map((layer) => `umbilic_test_${layer}`);
 }
 

@@ -4,15 +4,22 @@
  * package-lock.json. Fast if nothing is missing. Uses only modules of Node itself, because it runs before anything is
  * installed.
  */
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { output, root, run } from './process.js';
 
-/** @typedef {'native' | 'wasm' | 'lint' | 'browser'} Need */
+/** @typedef {'native' | 'wasm' | 'lint' | 'browser' | 'fuzz'} Need */
+
+/** Whether clang has libFuzzer, whose folder is named by clang's version. */
+const hasFuzzer = () => {
+  const folder = output('clang++', ['-print-runtime-dir'])?.trim();
+  const names = folder && existsSync(folder) ? readdirSync(folder) : [];
+  return names.some((name) => /^libclang_rt\.fuzzer(-.*)?\.a$/.test(name));
+};
 
 /**
- * Debian packages. Each is recognized by a program on the PATH or a header in an include folder.
- * @type {{ package: string, program?: string, header?: string, needs: Need[] }[]}
+ * Debian packages. Each is recognized by a program on the PATH, a header in an include folder, or otherwise.
+ * @type {{ package: string, program?: string, header?: string, found?: () => boolean, needs: Need[] }[]}
  */
 export const tools = [
   { package: 'g++', program: 'g++', needs: ['native'] },
@@ -26,6 +33,8 @@ export const tools = [
   { package: 'libcli11-dev', header: 'CLI/CLI.hpp', needs: ['native'] },
   { package: 'libgtest-dev', header: 'gtest/gtest.h', needs: ['native'] },
   { package: 'clang-format', program: 'clang-format', needs: ['lint'] },
+  { package: 'clang', program: 'clang++', needs: ['fuzz'] },
+  { package: 'libclang-rt-dev', found: hasFuzzer, needs: ['fuzz'] },
   { package: 'chromium-headless-shell', program: 'chromium-headless-shell', needs: ['browser'] },
 ];
 
@@ -40,7 +49,8 @@ function onPath(program) {
 function missingTools(needs) {
   return tools
     .filter((tool) => tool.needs.some((need) => needs.includes(need)))
-    .filter(({ program, header }) => {
+    .filter(({ program, header, found }) => {
+      if (found) return !found();
       if (program) return !onPath(program);
       return !includeFolders.some((folder) => existsSync(path.join(folder, header ?? '')));
     })

@@ -12,6 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "cage/generate.h"
+#include "cage/ply_writer.h"
+#include "cage/write.h"
 #include "tests/wasm/runs.h"
 
 namespace umbilic::test {
@@ -279,6 +282,19 @@ TEST(Api, counts_an_open_cage_and_draws_it) {
   EXPECT_EQ(arrays.edge_count, 4u);
   umbilic_mesh_destroy(mesh);
   umbilic_cage_destroy(cage);
+}
+
+TEST(Api, makes_text_of_the_bytes_of_a_file) {
+  const Cage cube = generate_cage("cube").value();
+  const std::string ply = write_ply(cube, "binary_big_endian");
+  umbilic_text text{"before", 6};
+  ASSERT_EQ(umbilic_cage_text(ply.data(), ply.size(), &text), UMBILIC_OK);
+  EXPECT_EQ(std::string(text.data, text.length), write_obj(cube));
+  ASSERT_EQ(umbilic_cage_text("v 1 2 3\r\nx", 10, &text), UMBILIC_OK);
+  EXPECT_EQ(std::string(text.data, text.length), "v 1 2 3\r\nx");
+  EXPECT_EQ(umbilic_cage_text(ply.data(), ply.size() - 1, &text), UMBILIC_BAD_INPUT);
+  EXPECT_EQ(message(), "'face' 6: the file ends before 'vertex_indices'");
+  EXPECT_EQ(std::string(text.data, text.length), "v 1 2 3\r\nx");
 }
 
 TEST(Api, knows_tori_in_closed_form) {

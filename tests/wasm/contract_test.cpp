@@ -16,6 +16,8 @@
 #include <thread>
 #include <vector>
 
+#include "cage/generate.h"
+#include "cage/ply_writer.h"
 #include "tests/wasm/runs.h"
 #include "wasm/api.h"
 #include "wasm/guard.h"
@@ -101,6 +103,8 @@ TEST_F(Contract, answers_a_null_pointer_with_a_status_and_writes_nothing) {
       umbilic_functional_names(nullptr),
       umbilic_cage_create(nullptr, 3, &no_cage),
       umbilic_cage_create(text, length, nullptr),
+      umbilic_cage_text(nullptr, 3, &answer),
+      umbilic_cage_text(text, length, nullptr),
       umbilic_cage_counts(nullptr, &answer),
       umbilic_cage_counts(cage, nullptr),
       umbilic_cage_mesh(nullptr, &no_mesh),
@@ -275,6 +279,7 @@ void expect_out_of_memory_until_there_is_enough(const char* what, const Call& ca
 
 TEST_F(Contract, survives_the_failure_of_any_allocation) {
   const std::string text = R"({"generator": "cube"})", problem = cube_problem(), terms = R"({"bending": 1})";
+  const std::string ply = write_ply(generate_cage("cube").value(), "binary_little_endian");
   umbilic_text answer{};
   const auto out_of_memory = expect_out_of_memory_until_there_is_enough<std::function<umbilic_status()>>;
   out_of_memory("names", [&] { return umbilic_cage_names(&answer); });
@@ -286,6 +291,7 @@ TEST_F(Contract, survives_the_failure_of_any_allocation) {
   umbilic_cage* a_cage = nullptr;
   out_of_memory("cage", [&] { return umbilic_cage_create(text.data(), text.size(), &a_cage); });
   umbilic_cage_destroy(a_cage);
+  out_of_memory("cage text", [&] { return umbilic_cage_text(ply.data(), ply.size(), &answer); });
   umbilic_run* a_run = nullptr;
   out_of_memory("create", [&] { return umbilic_run_create(problem.data(), problem.size(), nullptr, 0, &a_run); });
   umbilic_run_destroy(a_run);

@@ -14,6 +14,7 @@ import {
   parseReport,
   version,
 } from '../../wasm/umbilic.js';
+import { objCube, plyCube } from './ply_cube.js';
 
 beforeAll(() => load());
 
@@ -64,6 +65,23 @@ describe('the module', () => {
 });
 
 describe('a cage', () => {
+  test('is read from the bytes of a binary file, with all digits', () => {
+    const input = { name: 'cube.ply', text: plyCube() };
+    const cage = new Cage(input);
+    expect(cage.obj()).toBe(objCube());
+    cage.dispose();
+    const minimizer = new Minimizer({ cage: input, terms: { bending: 1 } });
+    expect(minimizer.problem.cage).toEqual({ name: 'cube.ply', text: objCube() });
+    minimizer.dispose();
+    const bad = { ...input, text: plyCube(8) };
+    for (const make of [() => new Cage(bad), () => new Minimizer({ cage: bad, terms: { bending: 1 } })]) {
+      expect(make).toThrow(
+        new InputError("cube.ply: 'face' 6: index 8 does not exist: 8 vertices have the indices 0 to 7"),
+      );
+    }
+    expect(() => Cage.read(plyCube().subarray(0, 300))).toThrow(InputError);
+  });
+
   test('is read from text and from bytes', () => {
     for (const text of [cube, new TextEncoder().encode(cube), `\uFEFF${cube.replaceAll('\n', '\r\n')}`]) {
       const cage = Cage.read(text);

@@ -6,6 +6,7 @@ import { describe, expect, test } from '@jest/globals';
 import { Cage, Minimizer, parseReport } from '../../wasm/umbilic.js';
 import { MOVING_QUADS, RESTING_QUADS, densityFor } from '../../web/worker/density.js';
 import { SAMPLE_SIZE, transferables } from '../../web/worker/protocol.js';
+import { objCube, plyCube } from '../wasm/ply_cube.js';
 import { all, open, problemOf, session, types, useSession, work } from './session_harness.js';
 
 useSession();
@@ -89,6 +90,17 @@ describe('opening', () => {
     const [{ control, limit }] = all('surfaced');
     expect(control.positions).toHaveLength(3 * 8);
     expect(limit.triangles.length / 6).toBe(24 * densityFor(24, RESTING_QUADS) ** 2);
+  });
+
+  test('of bytes that are no text answers with the text that the page is to keep', () => {
+    open(1, { cage: { name: 'cube.ply', text: plyCube() } });
+    expect(all('opened')).toEqual([expect.objectContaining({ text: objCube() })]);
+    open(2, { cage: { name: 'cube.obj', text: new TextEncoder().encode(objCube()) } });
+    expect(all('opened')[1]).not.toHaveProperty('text');
+    open(3, { cage: { name: 'cube.ply', text: plyCube(9) } });
+    expect(all('failed')).toEqual([
+      { type: 'failed', run: 3, kind: 'input', message: expect.stringMatching(/^cube.ply: 'face' 6: index 9 /) },
+    ]);
   });
 
   test('a broken file says where, and the run before it goes on', () => {

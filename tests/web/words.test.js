@@ -136,6 +136,7 @@ describe('a name', () => {
   test('of a file is fit for another file', () => {
     expect(stemOf('spot_control_mesh.obj')).toBe('spot_control_mesh');
     expect(stemOf('C:\\cages\\my cage (1).OFF')).toBe('my-cage-1');
+    expect(stemOf('scan.ply')).toBe('scan');
     expect(stemOf('/a/b/übung.obj')).toBe('übung');
     expect(stemOf('???')).toBe('cage');
   });

@@ -38,6 +38,6 @@ export function cageWords(name) {
  * @param {string} fileName
  */
 export function stemOf(fileName) {
-  const stem = fileName.replace(/^.*[/\\]/, '').replace(/\.(obj|off|json)$/i, '');
+  const stem = fileName.replace(/^.*[/\\]/, '').replace(/\.(obj|off|ply|json)$/i, '');
   return stem.replace(/[^\p{L}\p{N}._-]+/gu, '-').replace(/^-+|-+$/g, '') || 'cage';
 }

@@ -46,7 +46,7 @@ export const keyGroups = {
         { keys: ['Ctrl+Z'], words: 'Undo' },
         { keys: ['Shift+Ctrl+Z', 'Ctrl+Y'], words: 'Redo' },
         { keys: ['Ctrl+S'], words: 'Save the project' },
-        { keys: ['Ctrl+V'], words: 'Open pasted OBJ or OFF, a report or a project' },
+        { keys: ['Ctrl+V'], words: 'Open pasted OBJ, OFF or PLY, a report or a project' },
       ],
     },
     picture,

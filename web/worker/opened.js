@@ -3,6 +3,8 @@
  * @file What the worker tells of a run that it has opened: its cage and symmetry, and of a file its problem and results.
  */
 
+import { mayBeBinary } from '../../wasm/values.js';
+
 /** @import {Cage, Minimizer, parseReport} from '../../wasm/umbilic.js' */
 /** @import {Problem} from '../../wasm/types.js' */
 /** @import {Opened} from './protocol.js' */
@@ -21,6 +23,18 @@ function fileParts(core, problem, opened) {
   const { umbilic, levels, limit, energies, certificate, constraints: held } = core.parseReport(problem);
   const report = umbilic === 'report' && { report: { levels, limit, energies, certificate, constraints: held } };
   return { asked: { cage, terms, fill, constraints, options, ...(start && !report && { start }) }, ...report };
+}
+
+/**
+ * The text that the core has made of a file that was none, so that the page can keep it and pass it on.
+ * @param {Problem | string} problem
+ * @param {Minimizer} opened
+ */
+function textParts(problem, opened) {
+  const bytes = typeof problem !== 'string' && 'text' in problem.cage ? problem.cage.text : '';
+  if (!(bytes instanceof Uint8Array) || !mayBeBinary(bytes)) return {};
+  const { text } = /** @type {{text: string}} */ (opened.problem.cage);
+  return { text };
 }
 
 /**
@@ -50,6 +64,11 @@ function unfilledParts({ Cage }, opened) {
 export function openedMessage(core, run, problem, opened) {
   const { cage, group, groups, progress } = opened;
   const held = opened.problem.constraints.symmetric && { held: opened.held };
-  const parts = { ...fileParts(core, problem, opened), ...unfilledParts(core, opened), ...held };
+  const parts = {
+    ...fileParts(core, problem, opened),
+    ...textParts(problem, opened),
+    ...unfilledParts(core, opened),
+    ...held,
+  };
   return { type: 'opened', run, level: progress.level, cage, group, groups, ...parts };
 }

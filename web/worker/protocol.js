@@ -91,10 +91,10 @@
  * `level` is that of the surface that the run starts from, and `group` the symmetry that it keeps; `groups` are those of the cage's faces. For a file, `asked` is its problem, complete, and
  * `report` its results, with which `asked` has no start. Where the problem fills boundaries, `cage` and `groups` are those of the filled cage, and `unfilled` is
  * the one before, with the number of corners of each of its faces. `held`: the numbers of all held faces, where constraints are
- * copied over the symmetry.
+ * copied over the symmetry. `text`: that of a cage whose file was bytes, as the page is to keep it.
  * @typedef {{counts: CageReport, corners: Uint32Array}} Unfilled
  * @typedef {{type: 'opened', run: number, level: number, cage: CageReport, group: Group, groups: FaceGroup[], asked?: Problem, report?:
- *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>, unfilled?: Unfilled, held?: number[]}} Opened
+ *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>, unfilled?: Unfilled, held?: number[], text?: string}} Opened
  *
  * The current surface. `evaluations` counts all levels so far. `patches` has its evaluated mesh, and `density` counts the quads
  * along each edge of one in the limit mesh, in which the quads of a patch follow each other. `coarse`: `detail` will bring a finer

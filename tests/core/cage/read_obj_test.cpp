@@ -185,9 +185,9 @@ TEST(ReadObj, a_file_without_faces_says_so) {
 
 TEST(ReadObj, other_kinds_of_files_are_told_apart_from_meshes) {
   const std::string neither =
-      "neither OBJ nor OFF: there is no line of an OBJ vertex or face, and no OFF keyword at the start";
+      "neither OBJ nor OFF nor PLY: there is no line of an OBJ vertex or face, and no keyword of OFF or PLY at the "
+      "start";
   EXPECT_EQ(error_of("solid cube\nfacet normal 0 0 1\n"), neither);
-  EXPECT_EQ(error_of("ply\nformat ascii 1.0\n"), neither);
   EXPECT_EQ(error_of("<html>\n"), neither);
   using namespace std::string_literals;
   EXPECT_EQ(error_of("glTF\2\0\0\0junk"s), "line 1: not a text file: it holds a zero byte");

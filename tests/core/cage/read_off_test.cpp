@@ -78,7 +78,8 @@ TEST(ReadOff, the_prefixes_stand_in_any_order_but_once) {
   for (const char* header : {"NCOFF 4 4 6\n", "CSTOFF\n4 4 6\n", "NSTCOFF\n4 4 6\n"}) expect_tetrahedron(off(header));
   for (const char* word : {"CCOFF", "SOFF", "TSOFF", "OFFC"}) {
     EXPECT_EQ(error_of(std::string(word) + "\n4 4 6\n"),
-              "neither OBJ nor OFF: there is no line of an OBJ vertex or face, and no OFF keyword at the start");
+              "neither OBJ nor OFF nor PLY: there is no line of an OBJ vertex or face, and no keyword of OFF or PLY at "
+              "the start");
   }
 }
 
@@ -181,7 +182,8 @@ TEST(ReadOff, a_file_without_faces_says_so) { EXPECT_EQ(error_of("OFF\n1 0 0\n0 
 TEST(ReadOff, words_that_merely_contain_the_keyword_are_not_off) {
   for (const char* first : {"OFFSET", "SCOFFER", "off"}) {
     EXPECT_EQ(error_of(std::string(first) + "\n4 4 6\n"),
-              "neither OBJ nor OFF: there is no line of an OBJ vertex or face, and no OFF keyword at the start");
+              "neither OBJ nor OFF nor PLY: there is no line of an OBJ vertex or face, and no keyword of OFF or PLY at "
+              "the start");
   }
 }
 

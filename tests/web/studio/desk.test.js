@@ -304,6 +304,8 @@ describe('a text that is pasted', () => {
     ['OFF\n4 4 0\n', 'pasted.off'],
     ['# a comment\nCOFF 4 4 0\n', 'pasted.off'],
     [' {"umbilic": "problem"}', 'pasted.json'],
+    ['ply\r\nformat ascii 1.0\n', 'pasted.ply'],
+    ['plywood', 'pasted.obj'],
     ['OFFICE', 'pasted.obj'],
   ])('%j is taken as the file %s', (text, name) => expect(nameOfPasted(text)).toBe(name));
 });

@@ -127,6 +127,15 @@ describe('a file', () => {
   });
 });
 
+describe('the file of a cage that is no text', () => {
+  test('is kept as the text that the core has made of it', () => {
+    const [first, ...others] = openedMessages(2);
+    const message = /** @type {any} */ (first).message;
+    const state = after(resting(), drop('cube.ply'), answered({ ...message, text: 'v 1 2 3' }), ...others);
+    expect(state.document.cage?.source).toEqual({ kind: 'text', name: 'cube.ply', text: 'v 1 2 3' });
+  });
+});
+
 describe('the file of a problem or a report', () => {
   const json = new TextEncoder().encode(' {"umbilic": "report"}');
   const asked = {

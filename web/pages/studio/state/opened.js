@@ -74,7 +74,8 @@ function afterCageOpened(fresh, { source }, message, cage) {
     { boundary: null, pin: null, said: '', fitDue: true, alert: document.cage ? null : view.alert },
   );
   if (source.kind === 'problem') return afterFileOpened(shown, source.name, message, cage);
-  return withDocument(shown, { cage: { source, name: source.name, ...cage } });
+  const kept = source.kind === 'text' && message.text !== undefined ? { ...source, text: message.text } : source;
+  return withDocument(shown, { cage: { source: kept, name: source.name, ...cage } });
 }
 
 /**

@@ -30,7 +30,7 @@
  */
 
 /**
- * The source of a cage: a generator's name and parameters; the text of an OBJ or OFF file; or the file of a problem or
+ * The source of a cage: a generator's name and parameters; the text of an OBJ, OFF or PLY file; or the file of a problem or
  * a report that has not been parsed yet.
  * @typedef {{name: string, family: 'hub' | 'flag', thickness: number}} Generator
  * @typedef {{kind: 'generated'} & Generator & Omit<GeneratedCage, 'generator'>} Generated

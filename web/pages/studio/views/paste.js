@@ -7,6 +7,7 @@ import { takesText } from '../../../views/dom.js';
 /** The name of the file that a text would be, which tells the formats apart as the core does. @param {string} text */
 export function nameOfPasted(text) {
   if (/^\s*\{/.test(text)) return 'pasted.json';
+  if (/^ply[ \t]*[\r\n]/.test(text)) return 'pasted.ply';
   return /^(\s*#.*\n)*\s*(ST)?C?N?4?n?OFF\b/.test(text) ? 'pasted.off' : 'pasted.obj';
 }
 
