@@ -13,9 +13,6 @@ namespace umbilic::test {
 struct StressCage {
   std::string name;
   Cage cage;  ///< validated
-  /// Relative difference that rounding of the points, which differs from one patch of each orbit to all patches, makes
-  /// of the energies: more where curvature is large compared with the size.
-  double rounding = 1e-12;
 };
 
 /// At least 40, the same on every platform but for rounding.
