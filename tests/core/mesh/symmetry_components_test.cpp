@@ -78,7 +78,7 @@ TEST(SymmetryDegenerate, two_components_in_one_place_have_no_group) {
   EXPECT_EQ(symmetry_of(together({cube(), cube()})).name, "C1");
 }
 
-TEST(SymmetryDegenerate, the_search_ends_among_hundreds_of_equal_components_in_one_place_and_says_that_it_gave_up) {
+TEST(SymmetryDegenerateSlow, the_search_ends_among_hundreds_of_equal_components_in_one_place_and_says_that_it_gave_up) {
   const Cage cage = together(std::vector<Cage>(300, cube()));
   const PolygonMesh mesh(cage);
   const SymmetryGroup group = find_symmetry(mesh, cage.vertices);

@@ -70,7 +70,7 @@ void expect_derivative_of_gradient(const Refined& surface, CapKind cap, const We
   EXPECT_LT((product - expected).norm(), 1e-6 * expected.norm());
 }
 
-TEST(EnergyHessian, is_the_derivative_of_the_gradient_for_every_functional) {
+TEST(EnergyHessianSlow, is_the_derivative_of_the_gradient_for_every_functional) {
   const Refined surface = rough(*generate_cage("two-3"), 2, 0.02, 1);
   for (int f = 0; f < kFunctionalCount; ++f) {
     SCOPED_TRACE(kFunctionalNames[f]);

@@ -61,7 +61,7 @@ void expect_same_bits(const PatchLayout& layout, const Unknowns& unknowns, const
   }
 }
 
-TEST(Metrics, have_the_same_bits_from_any_number_of_threads_with_each_cap) {
+TEST(MetricsSlow, have_the_same_bits_from_any_number_of_threads_with_each_cap) {
   const Refined mesh = rough(trapezohedron(5), 2, 0.03, 4);
   for (const CapKind cap : kAllCaps) {
     const PatchLayout layout(mesh.mesh, cap);
