@@ -47,7 +47,7 @@ int32_t umbilic_api_version(void) { return UMBILIC_API_VERSION; }
 const char* umbilic_version(void) { return UMBILIC_VERSION; }
 
 size_t umbilic_copy_message(char* buffer, size_t capacity) {
-  const std::string& message = last_message();
+  const std::string_view message = last_message();
   if (buffer && capacity > 0) {
     const size_t length = std::min(capacity - 1, message.size());
     std::memcpy(buffer, message.data(), length);

@@ -3,28 +3,82 @@
 /// The texts that are kept for each thread.
 #include "wasm/guard.h"
 
+#include <memory>
+#include <utility>
+
+#include "base/threads.h"
+
+#if UMBILIC_HAS_THREADS
+#include <pthread.h>
+#endif
+
 namespace umbilic::api {
 namespace {
 
-thread_local std::string g_message;
-thread_local std::string g_answer;
+constexpr std::string_view kNoMemory = "no memory";
+
+struct Texts {
+  std::string message, answer;
+};
+
+#if UMBILIC_HAS_THREADS
+
+/// Frees the texts of threads that end. A `thread_local` object with a destructor would end the process instead where
+/// there is no memory to register it.
+pthread_key_t key_of_texts() {
+  static const pthread_key_t key = [] {
+    pthread_key_t made;
+    if (pthread_key_create(&made, [](void* texts) { delete static_cast<Texts*>(texts); }) != 0) throw std::bad_alloc();
+    return made;
+  }();
+  return key;
+}
+
+/// The texts of this thread; null if there is no memory for them.
+Texts* texts() noexcept {
+  thread_local Texts* of_thread = nullptr;
+  if (of_thread) return of_thread;
+  try {
+    const pthread_key_t key = key_of_texts();
+    auto made = std::make_unique<Texts>();
+    if (pthread_setspecific(key, made.get()) == 0) of_thread = made.release();
+  } catch (const std::bad_alloc&) {
+  }
+  return of_thread;
+}
+
+#else
+
+Texts* texts() noexcept {
+  static Texts the_texts;
+  return &the_texts;
+}
+
+#endif
 
 }  // namespace
 
-const std::string& last_message() noexcept { return g_message; }
+std::string_view last_message() noexcept {
+  const Texts* kept = texts();
+  return kept ? std::string_view(kept->message) : kNoMemory;
+}
 
 umbilic_status fail(umbilic_status status, std::string_view message) noexcept {
+  Texts* kept = texts();
+  if (!kept) return status;
   try {
-    g_message = message;
+    kept->message = message;
   } catch (const std::bad_alloc&) {
-    g_message = "no memory";  // short enough to need no allocation
+    kept->message = kNoMemory;  // short enough to need no allocation
   }
   return status;
 }
 
 umbilic_status answer(std::string text, umbilic_text* out) noexcept {
-  g_answer = std::move(text);
-  *out = {g_answer.c_str(), g_answer.size()};
+  Texts* kept = texts();
+  if (!kept) return fail(UMBILIC_OUT_OF_MEMORY, kNoMemory);
+  kept->answer = std::move(text);
+  *out = {kept->answer.c_str(), kept->answer.size()};
   return UMBILIC_OK;
 }
 

@@ -15,7 +15,7 @@
 namespace umbilic::api {
 
 /// The message of the last failure on this thread.
-const std::string& last_message() noexcept;
+std::string_view last_message() noexcept;
 
 /// Keeps the message and returns the status.
 umbilic_status fail(umbilic_status status, std::string_view message) noexcept;

@@ -6,15 +6,46 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <iterator>
 
 namespace umbilic {
 
 namespace {
 
-void append_rows(std::string& out, const char* keyword, const Points& rows) {
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    out += fmt::format("{} {} {} {}\n", keyword, rows(i, 0), rows(i, 1), rows(i, 2));
+void append_row(std::string& out, const char* keyword, const Points& rows, Eigen::Index i) {
+  fmt::format_to(std::back_inserter(out), "{} {} {} {}\n", keyword, rows(i, 0), rows(i, 1), rows(i, 2));
+}
+
+/// Collects lines and hands them on in pieces.
+class Pieces {
+ public:
+  explicit Pieces(const TextSink& take) : take_(take) {}
+
+  /// The lines that have not been handed on; lines are appended here.
+  std::string& lines() { return lines_; }
+
+  /// To be called after each line. False if the sink takes no more.
+  bool pass() { return lines_.size() < kPieceBytes || finish(); }
+
+  /// Hands on what is left.
+  bool finish() {
+    const bool taken = take_(lines_);
+    lines_.clear();
+    return taken;
   }
+
+ private:
+  static constexpr std::size_t kPieceBytes = 1 << 16;
+  const TextSink& take_;
+  std::string lines_;
+};
+
+bool write_rows(Pieces& out, const char* keyword, const Points& rows) {
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    append_row(out.lines(), keyword, rows, i);
+    if (!out.pass()) return false;
+  }
+  return true;
 }
 
 /// Goes through the faces in their order, and tells where the groups of a face are others than those of the face
@@ -48,7 +79,7 @@ class GroupChanges {
 
 std::string write_obj(const Cage& cage) {
   std::string out;
-  append_rows(out, "v", cage.vertices);
+  for (Eigen::Index i = 0; i < cage.vertices.rows(); ++i) append_row(out, "v", cage.vertices, i);
   const GroupChanges groups(cage);
   for (std::size_t f = 0; f < cage.faces.size(); ++f) {
     out += groups.before(f);
@@ -59,17 +90,27 @@ std::string write_obj(const Cage& cage) {
   return out;
 }
 
-std::string write_obj(const Points& positions, const Points& normals, const std::vector<std::array<int, 4>>& quads) {
+bool write_obj(const Points& positions, const Points& normals, const std::vector<std::array<int, 4>>& quads,
+               const TextSink& take) {
   assert(positions.rows() == normals.rows());
-  std::string out;
-  append_rows(out, "v", positions);
-  append_rows(out, "vn", normals);
+  Pieces out(take);
+  if (!write_rows(out, "v", positions) || !write_rows(out, "vn", normals)) return false;
   for (const std::array<int, 4>& quad : quads) {
-    out += 'f';
-    for (const int vertex : quad) out += fmt::format(" {0}//{0}", vertex + 1);
-    out += '\n';
+    out.lines() += 'f';
+    for (const int vertex : quad) fmt::format_to(std::back_inserter(out.lines()), " {0}//{0}", vertex + 1);
+    out.lines() += '\n';
+    if (!out.pass()) return false;
   }
-  return out;
+  return out.finish();
+}
+
+std::string write_obj(const Points& positions, const Points& normals, const std::vector<std::array<int, 4>>& quads) {
+  std::string text;
+  write_obj(positions, normals, quads, [&](std::string_view piece) {
+    text.append(piece);
+    return true;
+  });
+  return text;
 }
 
 }  // namespace umbilic

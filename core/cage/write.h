@@ -4,7 +4,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cage/cage.h"
@@ -14,7 +16,15 @@ namespace umbilic {
 /// With the cage's groups. What is written reads back to the same cage.
 std::string write_obj(const Cage& cage);
 
-/// Quads with one normal per vertex.
+/// Takes the next piece of a text; false if it could not, and then gets no more.
+using TextSink = std::function<bool(std::string_view)>;
+
+/// Quads with one normal per vertex, in pieces of some 64 KB, since the whole text may take more memory than the mesh.
+/// Returns whether `take` took all of it.
+bool write_obj(const Points& positions, const Points& normals, const std::vector<std::array<int, 4>>& quads,
+               const TextSink& take);
+
+/// The same as one text.
 std::string write_obj(const Points& positions, const Points& normals, const std::vector<std::array<int, 4>>& quads);
 
 }  // namespace umbilic

@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <memory>
+#include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -122,27 +124,46 @@ constexpr std::size_t kMostDescents = 8;
 /// A descent that gains less than this part of the energy is the last one.
 constexpr double kLeastGain = 1e-6;
 
-/// Writes all results, even if some of them fail.
+/// The exit code after one result: a failure has been said.
+int told(const std::optional<Error>& error) { return error ? fail(kCannotWrite, error->message) : kEnded; }
+
+int write_limit_mesh(const std::string& path, int density, const Run& run) {
+  const Result<LimitMesh> mesh = run.limit_mesh(density);
+  if (!mesh) return fail(kBadInput, mesh.error().message);
+  return told(write_file(
+      path, [&mesh](const TextSink& take) { return write_obj(mesh->positions, mesh->normals, mesh->quads, take); }));
+}
+
+/// Writes one result after the other, the report first, from which all others can be had again. One that fails is said
+/// and takes no other with it; returns the exit code of the first that fails.
 int write_results(const OptimizeArguments& arguments, const Ending& ending) {
   const Run& run = ending.run.run;
   int exit_code = kEnded;
-  const auto write = [&](const std::optional<std::string>& path, const auto& text) {
-    if (!path) return;
-    if (const auto error = write_file(*path, text())) exit_code = fail(kCannotWrite, error->message);
-  };
-  write(arguments.output, [&] { return write_obj(run.control_mesh()); });
-  if (arguments.limit_mesh) {
-    if (const Result<LimitMesh> mesh = run.limit_mesh(arguments.density)) {
-      write(arguments.limit_mesh, [&] { return write_obj(mesh->positions, mesh->normals, mesh->quads); });
-    } else {
-      exit_code = fail(kBadInput, mesh.error().message);
+  const auto attempt = [&](const std::string& name, const auto& write) {
+    int code = kOutOfMemory;
+    try {
+      code = write();
+    } catch (const std::bad_alloc&) {
+      fail(code, fmt::format("cannot write {}: out of memory", name));
+    } catch (const std::length_error&) {  // of a container that could not be addressed
+      fail(code, fmt::format("cannot write {}: out of memory", name));
     }
+    if (exit_code == kEnded) exit_code = code;
+  };
+  if (const auto& path = arguments.report) {
+    attempt(*path, [&] { return told(write_file(*path, json(ending))); });
   }
-  write(arguments.report, [&] { return json(ending); });
+  if (const auto& path = arguments.output) {
+    attempt(*path, [&] { return told(write_file(*path, write_obj(run.control_mesh()))); });
+  }
+  if (const auto& path = arguments.limit_mesh) {
+    attempt(*path, [&] { return write_limit_mesh(*path, arguments.density, run); });
+  }
   for (const std::string& path : arguments.outputs()) {
     if (path == "-") return exit_code;  // the table would mix with the result on standard output
   }
-  return print(table(ending)) ? exit_code : kCannotWrite;
+  attempt("the table", [&] { return print(table(ending)) ? kEnded : kCannotWrite; });
+  return exit_code;
 }
 
 /// The problem that the command line describes.

@@ -14,7 +14,8 @@ enum ExitCode {
   /// The energies are not finite, or not the surface's: below a bound that holds for every closed surface, or with
   /// curvature hidden between the samples. Everything is written all the same.
   kNotCredible = 5,
-  kOutOfMemory = 6,  ///< the system refused memory; what was computed so far is lost
+  /// The system refused memory: the results that need less are written, if the run itself has come to its end.
+  kOutOfMemory = 6,
   /// optimize and catalog: ended by SIGINT, SIGTERM or SIGHUP before their time; what there was is written. As a shell
   /// has it of a program that SIGINT ends.
   kInterrupted = 130,

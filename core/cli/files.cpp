@@ -10,13 +10,13 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 
 #include "cage/read.h"
 #include "cli/console.h"
+#include "cli/output_file.h"
 
 namespace umbilic::cli {
 
@@ -43,52 +43,6 @@ fs::path target_of(const std::string& path) {
   return target;
 }
 
-/// A new file next to `target`, open for writing; deleted again unless it is renamed.
-class Draft {
- public:
-  explicit Draft(const fs::path& target) : name_(target.string() + ".XXXXXX"), descriptor_(mkstemp(name_.data())) {}
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-  ~Draft() {
-    if (descriptor_ >= 0) close(descriptor_);
-    if (!name_.empty()) unlink(name_.c_str());
-  }
-
-  bool is_open() {
-    if (descriptor_ < 0) name_.clear();
-    return descriptor_ >= 0;
-  }
-
-  /// Gives the file the permissions of the one that it replaces, or those of a new file.
-  bool adopt_permissions(const fs::path& target) {
-    struct stat status {};
-    const mode_t mask = umask(0);
-    umask(mask);
-    const bool exists = stat(target.c_str(), &status) == 0;
-    return fchmod(descriptor_, exists ? status.st_mode & 07777 : 0666 & ~mask) == 0;
-  }
-
-  bool write_all(std::string_view text) {
-    while (!text.empty()) {
-      const ssize_t count = write(descriptor_, text.data(), text.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count < 0) return false;
-      text.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return fsync(descriptor_) == 0;
-  }
-
-  bool rename_to(const fs::path& target) {
-    if (std::rename(name_.c_str(), target.c_str()) != 0) return false;
-    name_.clear();
-    return true;
-  }
-
- private:
-  std::string name_;
-  int descriptor_;
-};
-
 /// Devices, pipes and sockets cannot be replaced.
 bool is_special(const fs::path& target) {
   std::error_code error;
@@ -96,14 +50,23 @@ bool is_special(const fs::path& target) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-std::optional<Error> write_directly(const std::string& path, std::string_view text) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (!file) return cannot_write(path, reason());
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
-  const std::string why = reason();
-  const bool closed = std::fclose(file) == 0;
-  if (!written || !closed) return cannot_write(path, written ? reason() : why);
-  return std::nullopt;
+Error cannot_write(const std::string& path, int error) { return cannot_write(path, std::strerror(error)); }
+
+/// Whether the system forbids a new file in the folder, or that one takes the place of the old one: the folder may not
+/// be written, the file is another user's in a folder like /tmp, or it is a mount point.
+bool forbids_replacing(int error) { return error == EACCES || error == EPERM || error == EROFS || error == EBUSY; }
+
+/// Whether all of the source's text has been written to the open output.
+bool write_all(OutputFile& output, const TextSource& source) {
+  return source([&](std::string_view piece) { return output.write(piece); });
+}
+
+std::optional<Error> write_in_place(const std::string& path, const fs::path& target, const TextSource& source) {
+  OutputFile output = OutputFile::in_place(target);
+  if (!output.is_open()) return cannot_write(path, output.error());
+  if (write_all(output, source) && output.finish()) return std::nullopt;
+  const std::string lost = is_special(target) ? "" : "; what was there is lost, since its folder cannot be written";
+  return cannot_write(path, std::strerror(output.error()) + lost);
 }
 
 }  // namespace
@@ -140,29 +103,36 @@ Result<CageFile> load_cage(const std::string& path) {
 
 std::optional<Error> check_writable(const std::string& path) {
   if (path == "-") return std::nullopt;
+  if (path.empty()) return cannot_write("''", ENOENT);
   const fs::path target = target_of(path);
-  std::error_code error;
-  if (path.empty()) return cannot_write("''", std::strerror(ENOENT));
-  if (fs::is_directory(target, error)) return cannot_write(path, std::strerror(EISDIR));
-  if (fs::exists(target, error) && access(target.c_str(), W_OK) != 0) return cannot_write(path, reason());
+  struct stat status {};
+  const bool exists = stat(target.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) return cannot_write(path, errno);
+  if (exists && S_ISDIR(status.st_mode)) return cannot_write(path, EISDIR);
+  if (exists && access(target.c_str(), W_OK) != 0) return cannot_write(path, errno);
   if (is_special(target)) return std::nullopt;
-  if (!Draft(target).is_open()) return cannot_write(path, reason());
+  const OutputFile draft = OutputFile::draft(target);
+  if (!draft.is_open() && !(exists && forbids_replacing(draft.error()))) return cannot_write(path, draft.error());
   return std::nullopt;
 }
 
-std::optional<Error> write_file(const std::string& path, std::string_view text) {
+std::optional<Error> write_file(const std::string& path, const TextSource& source) {
   if (path == "-") {
-    if (!print(text)) return Error{"a result is lost"};
+    if (!source(print)) return Error{"a result is lost"};
     return std::nullopt;
   }
-  const fs::path target = target_of(path);
-  if (is_special(target)) return write_directly(path, text);
   if (auto error = check_writable(path)) return error;
-  Draft draft(target);
-  const bool replaced =
-      draft.is_open() && draft.adopt_permissions(target) && draft.write_all(text) && draft.rename_to(target);
-  if (!replaced) return cannot_write(path, reason());
-  return std::nullopt;
+  const fs::path target = target_of(path);
+  if (is_special(target)) return write_in_place(path, target, source);
+  OutputFile draft = OutputFile::draft(target);
+  if (draft.is_open() && write_all(draft, source) && draft.finish()) return std::nullopt;
+  std::error_code error;
+  if (forbids_replacing(draft.error()) && fs::exists(target, error)) return write_in_place(path, target, source);
+  return cannot_write(path, draft.error());
+}
+
+std::optional<Error> write_file(const std::string& path, std::string_view text) {
+  return write_file(path, [text](const TextSink& take) { return take(text); });
 }
 
 bool same_output(const std::string& a, const std::string& b) {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Files of the command line: "-" means standard input or output, and a failed write never damages an existing file.
+/// Files of the command line: "-" means standard input or output, and a failed write does not damage an existing file.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "cage/cage.h"
+#include "cage/write.h"
 
 namespace umbilic::cli {
 
@@ -27,8 +29,12 @@ Result<CageFile> load_cage(const std::string& path);
 /// Why `path` will not be writable later, if that can be determined now. Leaves nothing behind.
 std::optional<Error> check_writable(const std::string& path);
 
-/// Replaces the file at `path` in one step: writes a new file next to it and renames that. Devices and pipes are
-/// written directly.
+/// Hands a text to a sink piece by piece, the same text in each call; returns whether the sink took all of it.
+using TextSource = std::function<bool(const TextSink&)>;
+
+/// Replaces the file at `path` in one step (cli/output_file.h). Written in place, so that a failed write loses what was
+/// there, are devices and pipes, and files that may be written in a folder that may not.
+std::optional<Error> write_file(const std::string& path, const TextSource& source);
 std::optional<Error> write_file(const std::string& path, std::string_view text);
 
 /// Whether both are the same file, or both are "-". Devices never count as the same.

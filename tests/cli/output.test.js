@@ -3,8 +3,9 @@
  * @file Files that cannot be written: found out early, and never at the cost of what is there.
  */
 import { afterAll, beforeAll, beforeEach, describe, expect, test } from '@jest/globals';
-import { chmodSync, lstatSync, mkdirSync, readdirSync, rmSync, statSync, symlinkSync } from 'node:fs';
-import { outputOf, scratchFolder, shell, umbilic } from './program.js';
+import { spawnSync } from 'node:child_process';
+import { chmodSync, chownSync, lstatSync, mkdirSync, readdirSync, rmSync, statSync, symlinkSync } from 'node:fs';
+import { outputOf, program, scratchFolder, shell, umbilic } from './program.js';
 
 const scratch = scratchFolder();
 afterAll(scratch.dispose);
@@ -70,6 +71,115 @@ describe('an existing file', () => {
     outputOf(['cage', 'cube', '-o', 'kept.obj'], scratch);
     outputOf(['optimize', 'kept.obj', '--functional', 'bending', '--levels', '1', '-o', 'kept.obj'], scratch);
     expect(scratch.read('kept.obj').match(/^f /gm)).toHaveLength(24);
+  });
+});
+
+describe('a name', () => {
+  const longest = 255; // of Linux's file systems
+
+  test('may be as long as the system allows', () => {
+    const name = `${'n'.repeat(longest - 4)}.obj`;
+    outputOf(['cage', 'cube', '-o', name], scratch);
+    expect(scratch.read(name)).toBe(outputOf(['cage', 'cube']));
+  });
+
+  test('may stand at the end of the longest path', () => {
+    const most = 4095; // of Linux
+    const folder = 'f'.repeat(120);
+    mkdirSync(scratch.path(folder));
+    const relative = `${`${folder}/../`.repeat(32).padEnd(most - 5, '/')}a.obj`;
+    expect(relative).toHaveLength(most);
+    outputOf(['cage', 'cube', '-o', relative], scratch);
+    expect(umbilic(['cage', 'cube', '-o', `/${relative}`], scratch).err).toContain('File name too long');
+  });
+
+  test.each(['-o', '--limit-mesh', '--report'])(
+    'that is longer is refused before anything is minimized, for %s',
+    (option) => {
+      const { code, out, err } = umbilic([...run, option, 'n'.repeat(longest + 1)], scratch);
+      expect({ code, out }).toEqual({ code: 4, out: '' });
+      expect(err).toMatch(/: File name too long\n$/);
+    },
+  );
+});
+
+describe('several results', () => {
+  const all = ['-o', 'c.obj', '--limit-mesh', 'l.obj', '--report', 'r.json'];
+
+  test.each([
+    ['-o', 'c.obj'],
+    ['--limit-mesh', 'l.obj'],
+    ['--report', 'r.json'],
+  ])('are written, but for the one that fails: %s', (option, name) => {
+    for (const file of ['c.obj', 'l.obj', 'r.json']) rmSync(scratch.path(file), { force: true });
+    const { code, out, err } = umbilic(
+      [...run, '-q', ...all.map((one) => (one === name ? '/dev/full' : one))],
+      scratch,
+    );
+    expect({ code, err }).toEqual({ code: 4, err: 'umbilic: cannot write /dev/full: No space left on device\n' });
+    expect(out).toContain('minimized bending');
+    const written = readdirSync(scratch.folder).filter((file) => all.includes(file));
+    expect(written.sort()).toEqual(['c.obj', 'l.obj', 'r.json'].filter((file) => file !== name));
+  });
+
+  test('that fail are all said', () => {
+    const { code, err } = umbilic([...run, '-q', ...all.map((one) => (/\./.test(one) ? '/dev/full' : one))], scratch);
+    expect({ code, err }).toEqual({
+      code: 4,
+      err: 'umbilic: cannot write /dev/full: No space left on device\n'.repeat(3),
+    });
+  });
+
+  test('are kept when the limit mesh needs more memory than there is, with an exit code of its own', () => {
+    for (const file of ['c.obj', 'l.obj', 'r.json']) rmSync(scratch.path(file), { force: true });
+    const command = `ulimit -v 400000; "$UMBILIC" optimize cube.obj --functional bending --levels 4 --max-iterations 0 --threads 1 -q --density 64 ${all.join(' ')}`;
+    const { code, out, err } = shell(command, scratch.folder);
+    expect({ code, err }).toEqual({ code: 6, err: 'umbilic: cannot write l.obj: out of memory\n' });
+    expect(out).toContain('minimized bending');
+    expect(
+      readdirSync(scratch.folder)
+        .filter((file) => all.includes(file))
+        .sort(),
+    ).toEqual(['c.obj', 'r.json']);
+    expect(JSON.parse(scratch.read('r.json')).levels).toHaveLength(1);
+  });
+});
+
+describe('a folder that cannot be written', () => {
+  const NOBODY = 65534;
+  const isRoot = process.getuid?.() === 0;
+  /** Runs the program without root's rights. @param {string[]} args */
+  const plainly = (args) => {
+    const user = isRoot ? { uid: NOBODY, gid: NOBODY } : {};
+    const { status, stderr } = spawnSync(program, args, { cwd: scratch.folder, encoding: 'utf8', ...user });
+    return { code: status, err: stderr };
+  };
+
+  beforeEach(() => {
+    chmodSync(scratch.folder, 0o755);
+    rmSync(scratch.path('closed'), { recursive: true, force: true });
+    mkdirSync(scratch.path('closed'));
+    scratch.write('closed/kept.obj', 'x'.repeat(100_000));
+    if (isRoot) chownSync(scratch.path('closed/kept.obj'), NOBODY, NOBODY);
+    chmodSync(scratch.path('closed'), 0o555);
+  });
+
+  test('has its files written in place, where they may be', () => {
+    expect(plainly(['cage', 'cube', '-o', 'closed/kept.obj'])).toEqual({ code: 0, err: '' });
+    expect(scratch.read('closed/kept.obj')).toBe(outputOf(['cage', 'cube']));
+    expect(readdirSync(scratch.path('closed'))).toEqual(['kept.obj']);
+  });
+
+  test('gets no new file', () => {
+    const err = 'umbilic: cannot write closed/new.obj: Permission denied\n';
+    expect(plainly(['cage', 'cube', '-o', 'closed/new.obj'])).toEqual({ code: 4, err });
+  });
+
+  test('keeps a file that may not be written either', () => {
+    chmodSync(scratch.path('closed/kept.obj'), 0o444);
+    const err = 'umbilic: cannot write closed/kept.obj: Permission denied\n';
+    expect(plainly(['cage', 'cube', '-o', 'closed/kept.obj'])).toEqual({ code: 4, err });
+    expect(scratch.read('closed/kept.obj')).toBe('x'.repeat(100_000));
   });
 });
 

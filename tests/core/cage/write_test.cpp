@@ -3,9 +3,14 @@
 /// Writing loses nothing.
 #include "cage/write.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "cage/formats.h"
 #include "cage/generate.h"
@@ -52,6 +57,40 @@ TEST(WriteObj, normals_stand_beside_the_vertices_that_they_belong_to) {
   normals << 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0;
   EXPECT_EQ(write_obj(positions, normals, {{0, 1, 2, 3}}),
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\nvn 0 1 0\nf 1//1 2//2 3//3 4//4\n");
+}
+
+/// A mesh whose text takes several pieces.
+struct LongMesh {
+  Points positions = Points::Constant(5000, 3, 1.0 / 3);
+  Points normals = Points::Constant(5000, 3, -1.0 / 3);
+  std::vector<std::array<int, 4>> quads = std::vector<std::array<int, 4>>(5000, {4996, 4997, 4998, 4999});
+};
+
+TEST(WriteObj, the_pieces_of_a_mesh_are_its_text) {
+  const LongMesh mesh;
+  std::size_t longest = 0;
+  int pieces = 0;
+  std::string joined;
+  EXPECT_TRUE(write_obj(mesh.positions, mesh.normals, mesh.quads, [&](std::string_view piece) {
+    longest = std::max(longest, piece.size());
+    ++pieces;
+    joined.append(piece);
+    return true;
+  }));
+  EXPECT_EQ(joined, write_obj(mesh.positions, mesh.normals, mesh.quads));
+  EXPECT_EQ(std::count(joined.begin(), joined.end(), '\n'), 15000);
+  EXPECT_GT(pieces, 5);
+  EXPECT_LT(longest, std::size_t{1 << 16} + 200) << "a piece ends with the first line beyond its size";
+}
+
+TEST(WriteObj, a_sink_that_takes_no_more_is_given_no_more) {
+  const LongMesh mesh;
+  for (int most = 0; most < 5; ++most) {
+    int given = 0;
+    EXPECT_FALSE(
+        write_obj(mesh.positions, mesh.normals, mesh.quads, [&](std::string_view) { return ++given <= most; }));
+    EXPECT_EQ(given, most + 1);
+  }
 }
 
 }  // namespace umbilic::test
