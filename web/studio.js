@@ -3,7 +3,7 @@
  * @file The studio's entry point: its documents, where they are kept, and the views that show one of them.
  */
 import { parseStudioAddress } from './address/studio.js';
-import { allQuantities, deviation } from './colour/quantities.js';
+import { allQuantities, deviation, energyDensity } from './colour/quantities.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { createDesk } from './pages/studio/desk.js';
@@ -14,6 +14,8 @@ import { createOwnership } from './pages/studio/ownership.js';
 import { fileName, typeOf } from './pages/studio/names.js';
 import { isProject } from './pages/studio/project.js';
 import { initialState } from './pages/studio/state/reduce.js';
+import { activeWeights } from './pages/studio/state/settings.js';
+import { computedValues } from './pages/studio/state/wish.js';
 import { createBeforeView } from './pages/studio/views/before.js';
 import { createBoundariesView } from './pages/studio/views/boundaries.js';
 import { createCageView } from './pages/studio/views/cage.js';
@@ -46,6 +48,7 @@ import { createKeyListView } from './views/key_list.js';
 import { createLegendView } from './views/legend.js';
 import { createMenus } from './views/menu.js';
 import { createThemeView } from './views/theme.js';
+import { densityUnit } from './words/functionals.js';
 import { deviationUnit } from './words/holding.js';
 import { keyGroups } from './words/keys.js';
 import { createClient } from './worker/client.js';
@@ -97,6 +100,13 @@ function dispatch(action) {
   desk.dispatch(action);
 }
 
+/** What the numbers of the legend are. @param {import('./colour/quantities.js').Quantity} quantity */
+function unit(quantity) {
+  if (quantity === deviation) return deviationUnit(isFile(desk.state));
+  if (quantity !== energyDensity) return `in ${quantity.unit}`;
+  return densityUnit(activeWeights(desk.state.document.settings));
+}
+
 /** How the surface on the screen is coloured. @type {Pick<import('./pages/studio/views/picture.js').Seen, 'range' | 'dark'>} */
 let seen = { range: null, dark: false };
 
@@ -146,7 +156,7 @@ const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), 
 theme.update(storedTheme()); // the page shows before its documents are read
 const legend = createLegendView(byId('legend'), {
   choose: (shading) => dispatch({ type: 'viewChanged', change: { shading } }),
-  unit: (quantity) => (quantity === deviation ? deviationUnit(isFile(desk.state)) : `in ${quantity.unit}`),
+  unit,
   offered: allQuantities,
   pin: (ends) => {
     const { shading } = desk.state.view;
@@ -206,7 +216,7 @@ function show() {
   const { shading, surface: shown, pinned, isolines } = state.view;
   const range = legend.update({
     shading,
-    deviations: shown?.deviations,
+    computed: computedValues(state),
     curvatures: shown ? [shown.limit.curvatures] : [],
     mesh: shown?.limit,
     pinned: pinned?.shading === shading ? pinned : null,

@@ -3,7 +3,7 @@
  * @file The three.js scene: surface, lines over it, light and camera. Draws only when something has changed.
  */
 import { BufferGeometry, Mesh, Scene } from 'three';
-import { extent, setDeviations, setParts, setSurface } from './geometry.js';
+import { extent, setComputed, setParts, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
 import { createHandle } from './handle.js';
 import { createMarks } from './marks.js';
@@ -134,15 +134,15 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
 
     /**
      * @param {core.Mesh} mesh
-     * @param {Float32Array | null} [deviations] of each vertex from the cage's own surface
+     * @param {Float32Array | null} [computed] a value of each vertex that is no function of curvatures
      * @param {core.Mesh} [like] the mesh that is placed in the picture, to which this one keeps its position and size
      */
-    setSurface(mesh, deviations = null, like = mesh) {
+    setSurface(mesh, computed = null, like = mesh) {
       marks.setRim(surfaceGeometry, setSurface(surfaceGeometry, mesh, held));
-      setDeviations(surfaceGeometry, deviations);
+      setComputed(surfaceGeometry, computed);
       placePins(mesh);
       shown = mesh;
-      pointing.set(mesh, deviations);
+      pointing.set(mesh, computed);
       const { centre, radius } = extent(like.positions);
       const [x, y, z] = centre.map((value, axis) => value + like.centre[axis] - mesh.centre[axis]);
       // A surface that moved under the hand would take the handle along.

@@ -125,11 +125,11 @@ const withoutCertifying = (state) =>
 /** @param {State} state @param {Surfaced} message @param {number} evaluations @returns {State} */
 function afterSurfaced(state, message, evaluations) {
   const { surface, fits, fitDue } = state.view;
-  const { density, patches, deviations = null, coarse = false } = message;
+  const { density, patches, computed = null, coarse = false } = message;
   const limit = withTopology(message.limit, surface?.limit);
   const control = withTopology(message.control, surface?.control);
   return withView(state, {
-    surface: { limit, density, control, patches, deviations, evaluations },
+    surface: { limit, density, control, patches, computed, evaluations },
     coarse,
     fits: fits + (fitDue ? 1 : 0),
     fitDue: false,

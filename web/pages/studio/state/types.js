@@ -10,6 +10,7 @@
 /** @import {EntryName} from '../../../address/compare.js' */
 /** @import {Shading} from '../../../colour/quantities.js' */
 /** @import {CatalogEntry} from '../../../files/catalog.js' */
+/** @import {ComputedValues} from '../../../worker/computed.js' */
 /** @import {Exportable, ExportOptions, Message} from '../../../worker/protocol.js' */
 /** @import {Loss} from '../../../worker/client.js' */
 
@@ -83,9 +84,8 @@
 
 /**
  * The surface on the screen. `density` counts the quads along each edge of a patch of its limit mesh, and `patches` has its
- * evaluated mesh. `deviations` has the distance of each vertex of the limit mesh from the cage's own surface; null unless it is
- * shown.
- * @typedef {{limit: Mesh, density: number, control: Mesh, patches: number, deviations: Float32Array | null, evaluations: number}} Surface
+ * evaluated mesh. `computed` has a value of each vertex of the limit mesh, if the shading needs one; see worker/computed.js.
+ * @typedef {{limit: Mesh, density: number, control: Mesh, patches: number, computed: ComputedValues | null, evaluations: number}} Surface
  */
 
 /** Where a run began: the limit mesh of the cage's own surface, and the cage. @typedef {{run: number, limit: Mesh, density: number, cage: Mesh}} Start */

@@ -4,6 +4,7 @@
  */
 import { element, find, onPress, setEnabled, setText, whenChanged } from '../../../views/dom.js';
 import { fileSize, integer } from '../../../words/numbers.js';
+import { wishOf } from '../state/wish.js';
 import { canSave, choiceOf, downloadGroups, finenesses, sizeOf, usualFineness } from '../downloads.js';
 
 /** @import {Range} from '../../../colour/range.js' */
@@ -78,7 +79,9 @@ export function createDownloadsView(root, dispatch, picture) {
         up: state.document.cage?.source.kind === 'generated' ? 'z' : 'y',
         name: state.document.cage?.name ?? '',
       }),
-      ...(coloured && { colouring: { shading: state.view.shading, low: coloured.low, high: coloured.high } }),
+      ...(coloured && {
+        colouring: { shading: state.view.shading, low: coloured.low, high: coloured.high, wish: wishOf(state) },
+      }),
       ...(has.has('picture') && { size: pictureSize(), background: background.value === 'page' }),
     };
   }
