@@ -22,6 +22,7 @@ import { createCageView } from './pages/studio/views/cage.js';
 import { createCameraView } from './pages/studio/views/camera.js';
 import { createCertificateView } from './pages/studio/views/certificate.js';
 import { createClosenessView } from './pages/studio/views/closeness.js';
+import { createCrossingsView } from './pages/studio/views/crossings.js';
 import { createDocumentsView } from './pages/studio/views/documents.js';
 import { createDownloadsView } from './pages/studio/views/downloads.js';
 import { createDropView, createFileTaker } from './pages/studio/views/drop.js';
@@ -180,6 +181,7 @@ const plain = [
   createBoundariesView(byId('boundaries'), dispatch),
   createClosenessView(byId('closeness'), dispatch),
   createHeldKeyView(byId('held-key')),
+  createCrossingsView(byId('crossings')),
   createObjectiveView(byId('objective'), dispatch),
   createExamplesView(byId('objective')),
   createRunView(byId('run'), dispatch),

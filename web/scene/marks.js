@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What is drawn on the surface: the rim of what is held, a dot at each pin, and a boundary that is pointed at. Faint where the surface hides them.
+ * @file What is drawn on the surface: the rim of what is held, a dot at each pin, a boundary that is pointed at, and
+ * the curves in which the surface crosses itself. Faint where the surface hides them.
  */
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from 'three';
 import { LIFT, lift } from './lift.js';
@@ -9,29 +10,38 @@ import { LIFT, lift } from './lift.js';
 
 /** Diameter of a pin's dot, in CSS pixels. */
 const DOT = 11;
-/** Width of the line along a marked boundary, in CSS pixels: it is drawn as dots, as lines are always of one pixel. */
+/** Width of the line along a marked boundary or a crossing, in CSS pixels: it is drawn as dots, as lines are always of one pixel. */
 const LINE = 5;
-/** Dots on each edge of the mesh, so that they touch. */
+/** Dots on each segment, so that they touch. */
 const DOTS = 6;
 
 /**
- * Points along edges, both ends included.
+ * The segments of edges, 6 coordinates for each.
  * @param {BufferGeometry} surface whose positions the edges name
  * @param {Uint32Array} edges
+ * @returns {Float32Array}
+ */
+function segmentsOf(surface, edges) {
+  const { array } = surface.getAttribute('position');
+  return Float32Array.from({ length: 3 * edges.length }, (_, i) => array[3 * edges[Math.floor(i / 3)] + (i % 3)]);
+}
+
+/**
+ * Points along segments, both ends included.
+ * @param {Float32Array} segments 6 coordinates for each
  * @returns {Float32Array} 3 for each
  */
-function dotsAlong(surface, edges) {
-  const { array } = surface.getAttribute('position');
-  const dots = [];
-  for (let e = 0; e < edges.length; e += 2) {
+function dotsAlong(segments) {
+  const dots = new Float32Array(((DOTS + 1) * segments.length) / 2);
+  let at = 0;
+  for (let s = 0; s < segments.length; s += 6) {
     for (let k = 0; k <= DOTS; k++) {
-      for (let axis = 0; axis < 3; axis++) {
-        const [from, to] = [array[3 * edges[e] + axis], array[3 * edges[e + 1] + axis]];
-        dots.push(from + ((to - from) * k) / DOTS);
+      for (let axis = s; axis < s + 3; axis++) {
+        dots[at++] = segments[axis] + ((segments[axis + 3] - segments[axis]) * k) / DOTS;
       }
     }
   }
-  return Float32Array.from(dots);
+  return dots;
 }
 
 /** Draws dots as discs. @param {Material} material */
@@ -42,6 +52,24 @@ function asDiscs(material) {
       '#include <color_fragment>\nif (distance(gl_PointCoord, vec2(0.5)) > 0.5) discard;',
     );
     lift(shader, LIFT.dot);
+  };
+}
+
+/** A broad line of dots along segments. @param {PointsMaterial[]} materials */
+function createLine(materials) {
+  const geometry = new BufferGeometry();
+  const points = materials.map((material) => new Points(geometry, material));
+  for (const one of points) one.visible = false;
+  return {
+    points,
+    /** @param {Float32Array} segments 6 coordinates for each */
+    set(segments) {
+      for (const one of points) one.visible = segments.length > 0;
+      if (!segments.length) return;
+      geometry.dispose();
+      geometry.setAttribute('position', new BufferAttribute(dotsAlong(segments), 3));
+    },
+    dispose: () => geometry.dispose(),
   };
 }
 
@@ -59,16 +87,14 @@ export function createMarks() {
   [pinSeen, pinHidden].forEach(asDiscs);
   const pins = [new Points(pinGeometry, pinHidden), new Points(pinGeometry, pinSeen)];
 
-  const boundaryGeometry = new BufferGeometry();
   const line = { ...plain, size: LINE * Math.min(window.devicePixelRatio, 2) };
-  const boundarySeen = new PointsMaterial(line);
-  const boundaryHidden = new PointsMaterial({ ...line, opacity: 0.3, depthTest: false });
-  [boundarySeen, boundaryHidden].forEach(asDiscs);
-  const boundary = [new Points(boundaryGeometry, boundaryHidden), new Points(boundaryGeometry, boundarySeen)];
-  for (const one of boundary) one.visible = false;
+  const lineSeen = new PointsMaterial(line);
+  const lineHidden = new PointsMaterial({ ...line, opacity: 0.3, depthTest: false });
+  [lineSeen, lineHidden].forEach(asDiscs);
+  const [boundary, crossings] = [0, 1].map(() => createLine([lineHidden, lineSeen]));
 
   const group = new Group();
-  group.add(rim, ...boundary, ...pins);
+  group.add(rim, ...boundary.points, ...crossings.points, ...pins);
   for (const object of group.children) object.frustumCulled = false;
 
   return {
@@ -83,12 +109,10 @@ export function createMarks() {
     },
 
     /** @param {BufferGeometry} surface whose positions the edges name @param {Uint32Array} edges */
-    setBoundary(surface, edges) {
-      for (const one of boundary) one.visible = edges.length > 0;
-      if (!edges.length) return;
-      boundaryGeometry.dispose();
-      boundaryGeometry.setAttribute('position', new BufferAttribute(dotsAlong(surface, edges), 3));
-    },
+    setBoundary: (surface, edges) => boundary.set(segmentsOf(surface, edges)),
+
+    /** @param {Float32Array} segments 6 coordinates for each */
+    setCrossings: (segments) => crossings.set(segments),
 
     /** @param {Float32Array} positions 3 for each pin */
     setPins(positions) {
@@ -100,14 +124,15 @@ export function createMarks() {
     /** @param {ColorRepresentation} line @param {ColorRepresentation} dot */
     setColours(line, dot) {
       rimSeen.color.set(line);
-      for (const material of [pinSeen, pinHidden, boundarySeen, boundaryHidden]) material.color.set(dot);
+      for (const material of [pinSeen, pinHidden, lineSeen, lineHidden]) material.color.set(dot);
     },
 
     dispose() {
       rimGeometry.dispose();
       pinGeometry.dispose();
-      boundaryGeometry.dispose();
-      [rimSeen, pinSeen, pinHidden, boundarySeen, boundaryHidden].forEach((material) => material.dispose());
+      boundary.dispose();
+      crossings.dispose();
+      [rimSeen, pinSeen, pinHidden, lineSeen, lineHidden].forEach((material) => material.dispose());
     },
   };
 }

@@ -166,6 +166,12 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       requestRender();
     },
 
+    /** The segments of the surface's crossings with itself, 6 coordinates each; null for none. @param {Float32Array | null} segments */
+    setCrossings(segments) {
+      marks.setCrossings(segments ?? new Float32Array(0));
+      requestRender();
+    },
+
     /** For each pin its vertex of the cage, from 0, or -1 if it lies elsewhere. @param {number[]} next */
     setPins(next) {
       pinned = next;

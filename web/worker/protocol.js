@@ -9,6 +9,7 @@
 /** @import {Limit, Mesh, Problem, Progress, Report, StopReason, Targets} from '../../wasm/types.js' */
 /** @import {Colouring} from './colouring.js' */
 /** @import {ComputedValues, Wish} from './computed.js' */
+/** @import {Crossings} from './crossings.js' */
 
 /**
  * Begins the run of a problem (also given as the text of a problem or report file) and shows its surface. Answers
@@ -53,12 +54,15 @@
  * From now on, of whatever run, `surfaced` has values of this kind, or none. Answers `surfaced` if the surface is at rest.
  * @typedef {{type: 'compute', wish: Wish | null}} Compute
  *
+ * Looks for curves in which the surface of a run at rest crosses itself. Answers `searched`.
+ * @typedef {{type: 'search', run: number}} Search
+ *
  * Asks for the surface and the cage that a run began from. Answers `recalled`.
  * @typedef {{type: 'recall', run: number}} Recall
  *
  * Asks for the answer `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Compute | Recall | Ping} Command
+ * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Compute | Search | Recall | Ping} Command
  */
 
 /**
@@ -105,6 +109,9 @@
  * The limit mesh of the cage's own surface at the run's level, and the cage as it was given.
  * @typedef {{type: 'recalled', run: number, limit: Mesh, density: number, cage: Mesh}} Recalled
  *
+ * Where the surface at rest crosses itself, in the coordinates of its limit mesh.
+ * @typedef {{type: 'searched', run: number, evaluations: number, crossings: Crossings}} Searched
+ *
  * Energies of the surface by the reporting rule. Its level is not always the last one.
  * @typedef {{type: 'measured', run: number, evaluations: number, level: number, energies: Energies}} Measured
  *
@@ -140,7 +147,7 @@
  *
  * `input`: something is wrong with the user's file or options. `internal`: the worker can no longer be used.
  * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
- * @typedef {Started | Opened | Surfaced | Recalled | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved |
+ * @typedef {Started | Opened | Surfaced | Searched | Recalled | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved |
  *   Exported | CertificateAdvanced | Certified | CertificateAbandoned | Descended | Ponged | Failed} Message
  */
 
@@ -173,6 +180,8 @@ export function transferables(message) {
     if (message.computed) views.push(message.computed.values);
   } else if (message.type === 'recalled') {
     views = [message.limit, message.cage].flatMap((mesh) => Object.values(mesh));
+  } else if (message.type === 'searched') {
+    views = [message.crossings.segments];
   } else if (message.type === 'stepped') {
     views = [message.samples];
   } else if (message.type === 'saved' || message.type === 'descended') {

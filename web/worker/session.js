@@ -200,6 +200,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     switch (command.type) {
       case 'detail':
         return introduce(run);
+      case 'search':
+        return pacing.pace === 'resting' ? telling.crossings() : undefined;
       case 'recall':
         return telling.recall();
       case 'expect':

@@ -3,6 +3,7 @@
  * @file What the page is told of a run, and when: surfaces, copies for safe keeping, energies, steps and levels, none of
  * them twice, and no more often than the page can show.
  */
+import { crossingsOf } from './crossings.js';
 import { MOVING_QUADS, RESTING_QUADS, densityFor } from './density.js';
 import { Occasion } from './occasion.js';
 import { createSurfacing } from './surfacing.js';
@@ -223,6 +224,12 @@ export function createTelling({ core, post, now }) {
     },
 
     patches,
+
+    /** Tells where the surface at rest crosses itself. */
+    crossings() {
+      const crossings = crossingsOf(current().limitMesh(densityFor(patches(), RESTING_QUADS)));
+      post({ type: 'searched', run, evaluations: current().progress.total_evaluations, crossings });
+    },
 
     /** Tells the surface and the cage that the run began from. */
     recall: () =>

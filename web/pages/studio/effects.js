@@ -7,6 +7,7 @@ import { formatStudioAddress } from '../../address/studio.js';
 import { fileName, typeOf } from './names.js';
 import { historyCsv } from './history_csv.js';
 import { addressOf } from './state/address.js';
+import { wantsSearch } from './state/crossing.js';
 import { askedOf, certifyingOf } from './state/parts.js';
 import { problemOf } from './state/settings.js';
 import { sameWish, wishOf } from './state/wish.js';
@@ -57,7 +58,14 @@ export function createEffects({ client, save, takePicture, load, setAddress }) {
     if (isNew) {
       const look = purpose === 'entry' && { look: true };
       const wish = wishOf(after);
-      client.send({ type: 'open', run, problem: problemOf(source, settings, start), ...look, ...goesOn, ...(wish && { wish }) });
+      client.send({
+        type: 'open',
+        run,
+        problem: problemOf(source, settings, start),
+        ...look,
+        ...goesOn,
+        ...(wish && { wish }),
+      });
     } else if (goesOn && then !== before?.session.opening?.then) {
       client.send({ type: then === 'run' ? 'optimize' : 'step', run });
     }
@@ -79,11 +87,21 @@ export function createEffects({ client, save, takePicture, load, setAddress }) {
     client.send({ type: 'recall', run });
   }
 
+  /** The surface that is searched or has been. @type {State['view']['surface']} */
+  let searched = null;
+  /** Asks once for each surface where it crosses itself, when that is to be known. @param {State} after */
+  function search(after) {
+    if (!wantsSearch(after) || searched === after.view.surface) return;
+    searched = after.view.surface;
+    client.send({ type: 'search', run: after.session.run });
+  }
+
   return (action, before, after) => {
     const tried = action?.type === 'retryPressed';
     if (tried && before?.session.phase.name === 'unavailable') client.restart();
     open(before, after);
     recall(after);
+    search(after);
     follow(formatStudioAddress(addressOf(after)));
     const { run, wanted } = after.session;
     if (wanted && (tried || wanted !== before?.session.wanted)) load(wanted);

@@ -68,6 +68,8 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       original: false,
       patches: false,
       isolines: false,
+      crossings: false,
+      printing: false,
       pinned: null,
       camera: address.camera,
       returnTo: null,

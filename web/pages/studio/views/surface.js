@@ -150,6 +150,7 @@ export function createSurfaceView(root, dispatch, pointed) {
       /** @type {Mesh} */ mesh,
     ) => scene?.setMarked(boundaryEdges(boundary, cage, taken, mesh)),
   );
+  const setCrossings = whenChanged((/** @type {Float32Array | null} */ segments) => scene?.setCrossings(segments));
   const awaitPicture = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ coarse) => {
     awaited = coarse;
     if (!scene) queueMicrotask(drawn);
@@ -206,6 +207,8 @@ export function createSurfaceView(root, dispatch, pointed) {
       setSurface(limit, values, staysInPlace(document) ? view.surface.limit : limit);
       setHandle(view.pin, document, view.surface);
       setMarked(view.boundary, document.cage, document.result.taken, limit);
+      const crossings = view.crossings && limit === view.surface.limit ? view.surface.crossings : null;
+      setCrossings(crossings?.segments ?? null);
       awaitPicture(view.surface, view.coarse);
       const control = view.cage && limit === view.surface.limit ? view.surface.control : null;
       setLines(limit, density, control, view.original ? (start?.cage ?? null) : null, view.patches);
