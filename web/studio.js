@@ -39,6 +39,7 @@ import { createPinsView } from './pages/studio/views/pins.js';
 import { takePicture } from './pages/studio/views/picture.js';
 import { createPlotView } from './pages/studio/views/plot.js';
 import { createRunView } from './pages/studio/views/run.js';
+import { createSectionView } from './pages/studio/views/section.js';
 import { createShowView } from './pages/studio/views/show.js';
 import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
 import { createUndrawnView } from './pages/studio/views/undrawn.js';
@@ -172,6 +173,7 @@ const documents = createDocumentsView(byId('documents'), {
   create: () => desk.create(),
   reopen: () => void desk.reopen(),
 });
+const section = createSectionView(find(document, '.stage'), dispatch);
 const plain = [
   createEditView(byId('edit'), dispatch, saveProject),
   createEntryView(byId('entry'), dispatch),
@@ -186,6 +188,7 @@ const plain = [
   createExamplesView(byId('objective')),
   createRunView(byId('run'), dispatch),
   createShowView(byId('show'), dispatch),
+  section,
   createBeforeView(byId('surface'), dispatch),
   createCameraView(byId('camera'), dispatch),
   createPlotView(byId('plot')),
@@ -233,6 +236,8 @@ function show() {
   setText(byId('version'), state.session.version);
 }
 
+// The picture has colours of the page.
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', show);
 addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && desk.flush());
 addEventListener('beforeunload', (event) => {
   if (!desk.isUnkept) return;
@@ -251,7 +256,7 @@ await desk.restore({
 });
 try {
   const { createSurfaceView } = await drawing;
-  surface = createSurfaceView(byId('surface'), dispatch, legend.mark);
+  surface = createSurfaceView(byId('surface'), dispatch, legend.mark, section.tell);
 } catch {
   createUndrawnView(byId('surface')).tell('unloaded');
 }

@@ -53,6 +53,51 @@ describe('the density of the energy', () => {
   }, 60_000);
 });
 
+describe('a section', () => {
+  const words = () => page.locator('#section .note');
+  /** @param {string} name @param {string} key @param {number} times */
+  async function press(name, key, times) {
+    const control = page.locator(`[name=section-${name}]`);
+    await control.focus();
+    for (let i = 0; i < times; i++) await control.press(key);
+  }
+
+  test('is drawn with its comb, moved by key, turned, and cuts the front away', async () => {
+    await page.locator('[name=shading]').selectOption('mean');
+    await page.locator('#show summary').click();
+    expect(await words().isVisible()).toBe(false);
+    await page.getByRole('checkbox', { name: 'Section', exact: true }).check();
+    await page.getByText(/curvature .* per length/).waitFor();
+    await page.keyboard.press('Escape');
+    await page.locator('[name=section-axis][value=z]').click();
+    await page.waitForFunction(() => document.querySelector('#section .note')?.textContent?.startsWith('3 curves'));
+    await photograph('section');
+    await press('position', 'End', 1);
+    await page.waitForFunction(() => !document.querySelector('#section .note')?.textContent?.startsWith('3 curves'));
+    await press('position', 'Home', 1);
+    await press('position', 'ArrowRight', 100);
+    await page.waitForFunction(() => document.querySelector('#section .note')?.textContent?.startsWith('3 curves'));
+    await page.locator('[name=section-axis][value=view]').click();
+    await page.getByRole('checkbox', { name: 'Cut away the front' }).check();
+    await photograph('cut');
+    for (const width of [390, 1024, 1440]) {
+      await page.setViewportSize({ width, height: 800 });
+      await drawn(page);
+      for (const control of await page.locator('#section input').all()) {
+        const box = await control.boundingBox();
+        expect(box && box.x >= 0 && box.x + box.width <= width).toBe(true);
+      }
+      await page.screenshot({ path: path.join(screenshots, `judging-section-${width}.png`) });
+    }
+    await page.setViewportSize({ width: 1280, height: 800 });
+    await page.locator('#show summary').click();
+    await page.getByRole('checkbox', { name: 'Section', exact: true }).uncheck();
+    expect(await words().isVisible()).toBe(false);
+    await page.keyboard.press('Escape');
+    expect(errors).toEqual([]);
+  }, 60_000);
+});
+
 describe('self-intersections', () => {
   test('are marked on the surface and counted', async () => {
     const buffer = Buffer.from(cubes(0.9));

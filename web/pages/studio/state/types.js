@@ -12,6 +12,7 @@
 /** @import {CatalogEntry} from '../../../files/catalog.js' */
 /** @import {ComputedValues} from '../../../worker/computed.js' */
 /** @import {Crossings} from '../../../worker/crossings.js' */
+/** @import {Section} from './section.js' */
 /** @import {Exportable, ExportOptions, Message} from '../../../worker/protocol.js' */
 /** @import {Loss} from '../../../worker/client.js' */
 
@@ -179,6 +180,7 @@
  * @property {boolean} patches whether the edges of the patches are shown
  * @property {{shading: Shading, low: number, high: number} | null} pinned the range of the colours of one shading, if it is to stay
  * @property {boolean} crossings whether the curves are shown in which the surface crosses itself
+ * @property {Section} section the plane that cuts the surface
  * @property {boolean} printing whether a file for printing is about to be saved
  * @property {boolean} isolines whether the quantity that colours the surface has isolines
  * @property {Camera} camera

@@ -20,7 +20,9 @@ import { listenToKeys } from '../../../views/keys.js';
 /** @import {Computed, Pattern, Quantity} from '../../../colour/quantities.js' */
 /** @import {Range} from '../../../colour/range.js' */
 /** @import {Reading} from '../../../scene/reading.js' */
+/** @import {CutFound} from '../../../scene/section_lines.js' */
 /** @import {Constraints, Mesh} from '../../../../wasm/types.js' */
+/** @import {Section} from '../state/section.js' */
 /** @import {Action, CageFaces, Document, OpenCage, Pointer, State, Surface, TakenCage} from '../state/types.js' */
 
 /**
@@ -58,8 +60,9 @@ function handledPin({ settings, result }, { positions, centre }, index) {
  * @param {HTMLElement} root
  * @param {(action: Action) => void} dispatch
  * @param {(reading: Reading | null) => void} pointed called with the values of the point that is pointed at
+ * @param {(cut: CutFound | null) => void} [found] called with what the section has cut
  */
-export function createSurfaceView(root, dispatch, pointed) {
+export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
   const canvas = /** @type {HTMLCanvasElement} */ (find(root, 'canvas'));
   const listening = new AbortController();
   const { signal } = listening;
@@ -150,6 +153,9 @@ export function createSurfaceView(root, dispatch, pointed) {
       /** @type {Mesh} */ mesh,
     ) => scene?.setMarked(boundaryEdges(boundary, cage, taken, mesh)),
   );
+  const setSection = whenChanged((/** @type {Section} */ { shown: isShown, ...cut }, /** @type {Mesh} */ _) => {
+    found(scene?.setSection(isShown ? cut : null) ?? null);
+  });
   const setCrossings = whenChanged((/** @type {Float32Array | null} */ segments) => scene?.setCrossings(segments));
   const awaitPicture = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ coarse) => {
     awaited = coarse;
@@ -208,6 +214,7 @@ export function createSurfaceView(root, dispatch, pointed) {
       setHandle(view.pin, document, view.surface);
       setMarked(view.boundary, document.cage, document.result.taken, limit);
       const crossings = view.crossings && limit === view.surface.limit ? view.surface.crossings : null;
+      setSection(view.section, limit);
       setCrossings(crossings?.segments ?? null);
       awaitPicture(view.surface, view.coarse);
       const control = view.cage && limit === view.surface.limit ? view.surface.control : null;
