@@ -152,6 +152,15 @@ umbilic_status umbilic_mesh_view(const umbilic_mesh* mesh, umbilic_mesh_arrays* 
   });
 }
 
+umbilic_status umbilic_mesh_densities(const umbilic_mesh* mesh, const float** densities, size_t* count) {
+  return guarded([&] {
+    if (!all_given(mesh, densities, count)) return UMBILIC_BAD_ARGUMENT;
+    *densities = data_or_null(mesh->drawable.densities);
+    *count = mesh->drawable.densities.size();
+    return UMBILIC_OK;
+  });
+}
+
 umbilic_status umbilic_mesh_obj(const umbilic_mesh* mesh, umbilic_text* obj) {
   return guarded([&] {
     if (!all_given(mesh, obj)) return UMBILIC_BAD_ARGUMENT;

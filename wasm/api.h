@@ -188,6 +188,13 @@ umbilic_status umbilic_run_control_mesh(const umbilic_run* run, umbilic_mesh** o
  */
 umbilic_status umbilic_run_limit_mesh(const umbilic_run* run, int32_t density, umbilic_mesh** out);
 
+/**
+ * The same mesh with the density of an energy, for umbilic_mesh_densities. `terms` is as in a problem; it need not be
+ * what is minimized. UMBILIC_BAD_INPUT, too, where it is wrong or the energy infinite.
+ */
+umbilic_status umbilic_run_limit_mesh_with_densities(const umbilic_run* run, int32_t density, const char* terms,
+                                                     size_t length, umbilic_mesh** out);
+
 /* ---- certificates: whether a surface is a minimum among all surfaces near it, symmetric or not ---- */
 
 /**
@@ -235,6 +242,12 @@ typedef struct umbilic_mesh_arrays {
 } umbilic_mesh_arrays;
 
 umbilic_status umbilic_mesh_view(const umbilic_mesh* mesh, umbilic_mesh_arrays* arrays);
+
+/**
+ * Energy per area at each vertex, in 1/length^2: the integrand of the weighted functionals with their powers of the
+ * area, which integrates to the energy. Null and 0 for meshes that were made without.
+ */
+umbilic_status umbilic_mesh_densities(const umbilic_mesh* mesh, const float** densities, size_t* count);
 
 /** OBJ text with all digits: the polygons of a control mesh, or the quads of a limit mesh with normals. */
 umbilic_status umbilic_mesh_obj(const umbilic_mesh* mesh, umbilic_text* obj);

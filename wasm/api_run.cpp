@@ -74,6 +74,16 @@ auto changing(Handle& handle, const Work& work) {
   return result;
 }
 
+umbilic_status limit_mesh(const umbilic_run* run, int32_t density, const std::optional<Weights>& weights,
+                          umbilic_mesh** out) {
+  if (!all_given(run, out) || !usable(*run)) return UMBILIC_BAD_ARGUMENT;
+  if (density < 1) return fail(UMBILIC_BAD_ARGUMENT, fmt::format("density {}: expected at least 1", density));
+  Result<LimitMesh> mesh = run->run.run.limit_mesh(density, weights);
+  if (!mesh) return fail(mesh.error());
+  hand_out(std::move(mesh).value(), out);
+  return UMBILIC_OK;
+}
+
 }  // namespace
 
 umbilic_status umbilic_run_create(const char* text, size_t length, const double* points, size_t count,
@@ -173,13 +183,16 @@ umbilic_status umbilic_run_control_mesh(const umbilic_run* run, umbilic_mesh** o
 }
 
 umbilic_status umbilic_run_limit_mesh(const umbilic_run* run, int32_t density, umbilic_mesh** out) {
+  return guarded([&] { return limit_mesh(run, density, {}, out); });
+}
+
+umbilic_status umbilic_run_limit_mesh_with_densities(const umbilic_run* run, int32_t density, const char* terms,
+                                                     size_t length, umbilic_mesh** out) {
   return guarded([&] {
-    if (!all_given(run, out) || !usable(*run)) return UMBILIC_BAD_ARGUMENT;
-    if (density < 1) return fail(UMBILIC_BAD_ARGUMENT, fmt::format("density {}: expected at least 1", density));
-    Result<LimitMesh> mesh = run->run.run.limit_mesh(density);
-    if (!mesh) return fail(mesh.error());
-    hand_out(std::move(mesh).value(), out);
-    return UMBILIC_OK;
+    if (!all_given(run, terms, out)) return UMBILIC_BAD_ARGUMENT;
+    const Result<Weights> weights = parse_terms({terms, length});
+    if (!weights) return fail(weights.error());
+    return limit_mesh(run, density, *weights, out);
   });
 }
 

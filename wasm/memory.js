@@ -269,6 +269,14 @@ export function copyMesh(mesh) {
   };
 }
 
+/** Copies of a mesh's arrays and of its energy's density. @param {number} mesh @returns {Mesh & {densities: Float32Array}} */
+export function copyMeshWithDensities(mesh) {
+  const arrays = copyMesh(mesh);
+  call('mesh_densities', mesh, scratch, scratch + 4);
+  const [pointer, count] = handedBack(2);
+  return { ...arrays, densities: core().HEAPF32.slice(pointer >>> 2, (pointer >>> 2) + count) };
+}
+
 /**
  * Runs `use` with the mesh that a call returns, and destroys the mesh afterwards.
  * @template T

@@ -18,6 +18,7 @@
 import {
   call,
   copyMesh,
+  copyMeshWithDensities,
   destroy,
   meshObj,
   numberFrom,
@@ -295,6 +296,19 @@ export class Minimizer {
   /** @param {number} density quads along each edge of a patch @returns {Mesh} */
   limitMesh(density) {
     return withMesh(copyMesh, 'run_limit_mesh', this.#alive, count(density, 'the density', 1));
+  }
+
+  /**
+   * The limit mesh with the density of an energy: per vertex the energy per area, in 1/length². It integrates to the energy.
+   * @param {number} density quads along each edge of a patch
+   * @param {Terms} terms of the energy, which need not be what is minimized
+   * @returns {Mesh & {densities: Float32Array}} @throws {InputError}
+   */
+  limitMeshWithDensities(density, terms) {
+    const quads = count(density, 'the density', 1);
+    return withText(JSON.stringify(terms), (pointer, length) =>
+      withMesh(copyMeshWithDensities, 'run_limit_mesh_with_densities', this.#alive, quads, pointer, length),
+    );
   }
 
   /** @returns {string} OBJ text of the control mesh */

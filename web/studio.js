@@ -3,7 +3,7 @@
  * @file The studio's entry point: its documents, where they are kept, and the views that show one of them.
  */
 import { parseStudioAddress } from './address/studio.js';
-import { allQuantities, deviation } from './colour/quantities.js';
+import { allQuantities, deviation, energyDensity } from './colour/quantities.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { createDesk } from './pages/studio/desk.js';
@@ -14,12 +14,15 @@ import { createOwnership } from './pages/studio/ownership.js';
 import { fileName, typeOf } from './pages/studio/names.js';
 import { isProject } from './pages/studio/project.js';
 import { initialState } from './pages/studio/state/reduce.js';
+import { activeWeights } from './pages/studio/state/settings.js';
+import { computedValues } from './pages/studio/state/wish.js';
 import { createBeforeView } from './pages/studio/views/before.js';
 import { createBoundariesView } from './pages/studio/views/boundaries.js';
 import { createCageView } from './pages/studio/views/cage.js';
 import { createCameraView } from './pages/studio/views/camera.js';
 import { createCertificateView } from './pages/studio/views/certificate.js';
 import { createClosenessView } from './pages/studio/views/closeness.js';
+import { createCrossingsView } from './pages/studio/views/crossings.js';
 import { createDocumentsView } from './pages/studio/views/documents.js';
 import { createDownloadsView } from './pages/studio/views/downloads.js';
 import { createDropView, createFileTaker } from './pages/studio/views/drop.js';
@@ -36,6 +39,7 @@ import { createPinsView } from './pages/studio/views/pins.js';
 import { takePicture } from './pages/studio/views/picture.js';
 import { createPlotView } from './pages/studio/views/plot.js';
 import { createRunView } from './pages/studio/views/run.js';
+import { createSectionView } from './pages/studio/views/section.js';
 import { createShowView } from './pages/studio/views/show.js';
 import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
 import { createUndrawnView } from './pages/studio/views/undrawn.js';
@@ -46,6 +50,7 @@ import { createKeyListView } from './views/key_list.js';
 import { createLegendView } from './views/legend.js';
 import { createMenus } from './views/menu.js';
 import { createThemeView } from './views/theme.js';
+import { densityUnit } from './words/functionals.js';
 import { deviationUnit } from './words/holding.js';
 import { keyGroups } from './words/keys.js';
 import { createClient } from './worker/client.js';
@@ -97,6 +102,13 @@ function dispatch(action) {
   desk.dispatch(action);
 }
 
+/** What the numbers of the legend are. @param {import('./colour/quantities.js').Quantity} quantity */
+function unit(quantity) {
+  if (quantity === deviation) return deviationUnit(isFile(desk.state));
+  if (quantity !== energyDensity) return `in ${quantity.unit}`;
+  return densityUnit(activeWeights(desk.state.document.settings));
+}
+
 /** How the surface on the screen is coloured. @type {Pick<import('./pages/studio/views/picture.js').Seen, 'range' | 'dark'>} */
 let seen = { range: null, dark: false };
 
@@ -146,7 +158,7 @@ const theme = createThemeView(/** @type {HTMLButtonElement} */ (byId('theme')), 
 theme.update(storedTheme()); // the page shows before its documents are read
 const legend = createLegendView(byId('legend'), {
   choose: (shading) => dispatch({ type: 'viewChanged', change: { shading } }),
-  unit: (quantity) => (quantity === deviation ? deviationUnit(isFile(desk.state)) : `in ${quantity.unit}`),
+  unit,
   offered: allQuantities,
   pin: (ends) => {
     const { shading } = desk.state.view;
@@ -161,6 +173,7 @@ const documents = createDocumentsView(byId('documents'), {
   create: () => desk.create(),
   reopen: () => void desk.reopen(),
 });
+const section = createSectionView(find(document, '.stage'), dispatch);
 const plain = [
   createEditView(byId('edit'), dispatch, saveProject),
   createEntryView(byId('entry'), dispatch),
@@ -170,10 +183,12 @@ const plain = [
   createBoundariesView(byId('boundaries'), dispatch),
   createClosenessView(byId('closeness'), dispatch),
   createHeldKeyView(byId('held-key')),
+  createCrossingsView(byId('crossings')),
   createObjectiveView(byId('objective'), dispatch),
   createExamplesView(byId('objective')),
   createRunView(byId('run'), dispatch),
   createShowView(byId('show'), dispatch),
+  section,
   createBeforeView(byId('surface'), dispatch),
   createCameraView(byId('camera'), dispatch),
   createPlotView(byId('plot')),
@@ -206,7 +221,7 @@ function show() {
   const { shading, surface: shown, pinned, isolines } = state.view;
   const range = legend.update({
     shading,
-    deviations: shown?.deviations,
+    computed: computedValues(state),
     curvatures: shown ? [shown.limit.curvatures] : [],
     mesh: shown?.limit,
     pinned: pinned?.shading === shading ? pinned : null,
@@ -221,6 +236,8 @@ function show() {
   setText(byId('version'), state.session.version);
 }
 
+// The picture has colours of the page.
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', show);
 addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && desk.flush());
 addEventListener('beforeunload', (event) => {
   if (!desk.isUnkept) return;
@@ -239,7 +256,7 @@ await desk.restore({
 });
 try {
   const { createSurfaceView } = await drawing;
-  surface = createSurfaceView(byId('surface'), dispatch, legend.mark);
+  surface = createSurfaceView(byId('surface'), dispatch, legend.mark, section.tell);
 } catch {
   createUndrawnView(byId('surface')).tell('unloaded');
 }

@@ -50,6 +50,7 @@ DrawableMesh drawable(const LimitMesh& limit) {
   place(limit.positions, mesh);
   mesh.normals = to_floats(limit.normals);
   mesh.curvatures = to_floats(limit.curvatures);
+  mesh.densities = to_floats(limit.densities);
   mesh.triangles.reserve(6 * limit.quads.size());
   for (const auto& [a, b, c, d] : limit.quads) {
     for (const int corner : {a, b, c, a, c, d}) mesh.triangles.push_back(corner);

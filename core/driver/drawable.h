@@ -17,6 +17,7 @@ struct DrawableMesh {
   std::vector<float> positions;          ///< 3 per vertex, from the centre: a small mesh far away keeps its digits
   std::vector<float> normals;            ///< 3 per vertex; none for a cage
   std::vector<float> curvatures;         ///< kappa1 >= kappa2 of each vertex; none for a cage
+  std::vector<float> densities;          ///< of the energy, in 1/length^2; none unless the limit mesh has them
   std::vector<std::uint32_t> triangles;  ///< 3 per triangle
   std::vector<std::uint32_t> faces;      ///< of each triangle: the face of the cage that it descends from, from 0
   std::vector<std::uint32_t> edges;      ///< 2 per edge, each edge once; none for a limit mesh

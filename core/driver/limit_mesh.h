@@ -17,7 +17,9 @@ struct LimitMesh {
   /// Principal curvatures kappa1 >= kappa2, one row each; positive where the surface bends away from the outward
   /// normal, as a sphere does.
   Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> curvatures;
-  std::vector<std::array<int, 4>> quads;
+  /// Energy per area at each vertex, in 1/length^2, where it was asked for; else empty. See EnergyDensity.
+  Eigen::VectorXd densities{};
+  std::vector<std::array<int, 4>> quads{};
   /// Of each patch: the face of the cage that it descends from. Each has equally many quads, in the order of patches.
   std::vector<int> cage_faces{};
 };

@@ -21,7 +21,8 @@ inline constexpr double kMostMeshBytes = sizeof(void*) == 4 ? 0.5e9 : 2e9;
 /// and for each patch 10 to 11.4 kB for the Sobolev product and its factors, 79 to 96 kB for the Hessian with its own.
 double run_bytes(double faces, double patches, MetricChoice metric);
 
-/// Of tessellate(): 68 bytes for each vertex and 16 for each quad. `density` quads along each edge of a patch.
+/// Of tessellate() without densities, which are 8 more for each vertex: 68 bytes for each vertex and 16 for each quad.
+/// `density` quads along each edge of a patch.
 double limit_mesh_bytes(const PolygonMesh& mesh, int density);
 
 /// Why a run from `cage` to `options.last_level` would take too much, and the last level that would not; nothing where

@@ -381,12 +381,17 @@ const std::vector<int>& Run::held_faces() const { return state_->held_faces; }
 
 SurfaceState Run::state() const { return {state_->level->number(), orbit_points()}; }
 
-Result<LimitMesh> Run::limit_mesh(int density) const {
+Result<LimitMesh> Run::limit_mesh(int density, const std::optional<Weights>& weights) const {
   const Surface& surface = state_->level->surface();
   if (density < 1) return Error{fmt::format("density {}: expected a number >= 1", density)};
   if (auto error = too_large_a_mesh(surface.mesh(), density)) return *error;
-  LimitMesh mesh =
-      tessellate(surface.mesh(), surface.symmetry(), surface.whole_layout(), state_->level->best(), density);
+  const Points& best = state_->level->best();
+  std::optional<EnergyDensity> energy;
+  if (weights) {
+    if (Error error; diverges(surface.mesh(), state_->options.cap, *weights, error)) return error;
+    energy = {*weights, surface.energy().evaluate(best, nullptr).area_factor};
+  }
+  LimitMesh mesh = tessellate(surface.mesh(), surface.symmetry(), surface.whole_layout(), best, density, energy);
   put_back(mesh, surface.placement());
   mesh.cage_faces = state_->cage_faces(surface.level(), surface.mesh().surface_face_count());
   return mesh;

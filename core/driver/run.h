@@ -107,7 +107,9 @@ class Run {
 
   /// The best surface so far, `density` >= 1 quads along each edge of a patch. Fails where the mesh would take more
   /// than kMostMeshBytes (driver/memory.h), and names the largest density that would not.
-  Result<LimitMesh> limit_mesh(int density) const;
+  /// With weights it has the densities of their functionals (driver/tessellate.h), which need not be those that are
+  /// minimized; fails, too, where their energy is infinite.
+  Result<LimitMesh> limit_mesh(int density, const std::optional<Weights>& weights = {}) const;
 
  private:
   struct State;

@@ -8,18 +8,18 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "base/shared_cache.h"
 #include "base/threads.h"
+#include "energy/densities.h"
 #include "surface/patch_evaluator.h"
 
 namespace umbilic {
 namespace {
-
-constexpr int kDerivatives = 1 + kSecondOrderCount;
 
 /// Distance from an extraordinary vertex, in faces, at which its normal and curvatures are evaluated. There they have
 /// reached their limit if it exists; otherwise they show how they diverge.
@@ -78,6 +78,9 @@ class GridNames {
   std::vector<int> of_vertex_, of_edge_;  // their numbers; empty if all are on it
 };
 
+/// The number of derivatives, with the function itself, from which the points of a mesh follow.
+constexpr int derivatives_for(bool density) { return density ? kDerivativeCount : 1 + kSecondOrderCount; }
+
 std::vector<Sample> grid(const PatchKind& kind, int density) {
   std::vector<Sample> samples;
   for (int j = 0; j <= density; ++j) {
@@ -87,12 +90,16 @@ std::vector<Sample> grid(const PatchKind& kind, int density) {
   return samples;
 }
 
+/// The derivatives at a point in the order of derivative_order.h, the function itself first.
+using PointJet = Eigen::Matrix<double, kDerivativeCount, 3>;
+
 /// Position, unit normal, and principal curvatures (positive on a sphere), from derivatives of order up to 2.
 struct SurfacePoint {
   Vector3 position, normal;
   double kappa1, kappa2;
+  double density = 0;  ///< of the energy, if it is asked for
 
-  explicit SurfacePoint(const Eigen::Matrix<double, kDerivatives, 3>& x) : position(x.row(0)) {
+  explicit SurfacePoint(const PointJet& x) : position(x.row(0)) {
     const Vector3 a = x.row(1), b = x.row(2), cross = a.cross(b);
     const double area = cross.norm();
     normal = cross / area;
@@ -105,6 +112,23 @@ struct SurfacePoint {
     kappa2 = -mean - half_difference;
   }
 };
+
+/// The density at a point with this jet; `weights` contain their powers of the area.
+double density_at(const Weights& weights, const PointJet& x) {
+  const auto at = [&](int d) { return Vec3<double>{x(d, 0), x(d, 1), x(d, 2)}; };
+  const Jet<double> jet{{at(1), at(2)}, {at(3), at(4), at(5)}, {at(6), at(7), at(8), at(9)}};
+  const CurvatureFrame<double, true> frame(jet);
+  Curvature<double> unused;
+  return weighted_density<0>(weights.data(), frame.value(), 0.0, unused) +
+         third_order_density(weights.data(), frame.value(), 0.0, unused);
+}
+
+/// The weights with their powers of the area.
+Weights with_area(const EnergyDensity& energy) {
+  Weights weights = energy.weights;
+  for (int f = 0; f < kFunctionalCount; ++f) weights[f] *= area_to_the(area_power(f), energy.area_factor);
+  return weights;
+}
 
 Vector3 cap_centre(const Cap& cap, const Points& points) {
   if (coefficient_count(cap.shape) > 0) return points.row(cap.first_coefficient);
@@ -148,20 +172,22 @@ void find_images(const PolygonMesh& mesh, const SymmetryGroup& group, int halfed
   }
 }
 
-/// Basis derivatives of order up to 2 at the vertices of a grid, cached for the next picture.
-std::shared_ptr<const BasisTable> grid_table(const PatchKind& kind, int density) {
-  static SharedCache<std::pair<PatchKind, int>, BasisTable> tables(kSharedTableBytes);
-  return tables.get({kind, density}, [&] { return basis_table(kind, grid(kind, density), 0, kDerivatives); });
+/// The first so many basis derivatives at the vertices of a grid, cached for the next picture.
+std::shared_ptr<const BasisTable> grid_table(const PatchKind& kind, int density, int derivatives) {
+  static SharedCache<std::pair<PatchKind, std::pair<int, int>>, BasisTable> tables(kSharedTableBytes);
+  return tables.get({kind, {density, derivatives}},
+                    [&] { return basis_table(kind, grid(kind, density), 0, derivatives); });
 }
 
 /// Sums over the patches that meet at each vertex.
 class Tessellation {
  public:
-  Tessellation(const PolygonMesh& mesh, const SymmetryGroup& group, int density)
+  Tessellation(const PolygonMesh& mesh, const SymmetryGroup& group, int density, bool with_densities)
       : mesh_(mesh), group_(group), density_(density), names_(mesh, density), reached_(mesh.face_count(), false) {
     mesh_sums_.positions = Points::Zero(names_.count(), 3);
     mesh_sums_.normals = Points::Zero(names_.count(), 3);
     mesh_sums_.curvatures = decltype(mesh_sums_.curvatures)::Zero(names_.count(), 2);
+    if (with_densities) mesh_sums_.densities = Eigen::VectorXd::Zero(names_.count());
     mesh_sums_.quads.resize(static_cast<std::size_t>(mesh.surface_face_count()) * density * density);
     visits_.assign(names_.count(), 0);
   }
@@ -185,6 +211,7 @@ class Tessellation {
           const double kappa1 = points[s].kappa1, kappa2 = points[s].kappa2;
           mesh_sums_.curvatures.row(v) +=
               turned_over ? Eigen::RowVector2d(-kappa2, -kappa1) : Eigen::RowVector2d(kappa1, kappa2);
+          if (mesh_sums_.densities.size() > 0) mesh_sums_.densities[v] += points[s].density;
           if (i < density_ && j < density_) {
             *quad++ = {v, names_.vertex(h, a + 1, b), names_.vertex(h, a + 1, b + 1), names_.vertex(h, a, b + 1)};
           }
@@ -198,6 +225,7 @@ class Tessellation {
       mesh_sums_.positions.row(v) /= visits_[v];
       mesh_sums_.curvatures.row(v) /= visits_[v];
       mesh_sums_.normals.row(v).normalize();
+      if (mesh_sums_.densities.size() > 0) mesh_sums_.densities[v] /= visits_[v];
     }
     return std::move(mesh_sums_);
   }
@@ -213,21 +241,23 @@ class Tessellation {
   std::vector<Image> images_;
 };
 
-/// Evaluates the grids of the patches in a range.
-void add_grids(const PatchEvaluator& patches, PatchRange range, PatchMemory& memory,
-               std::vector<SurfacePoint>& points) {
+/// Evaluates the grids of the patches in a range, with the density of the weights if there are any.
+void add_grids(const PatchEvaluator& patches, PatchRange range, const std::optional<Weights>& weights,
+               PatchMemory& memory, std::vector<SurfacePoint>& points) {
+  const int derivatives = derivatives_for(weights.has_value());
   const PatchSet& set = patches.layout().sets()[range.set];
   const BasisTable& table = patches.basis(range.set).table();
-  const double* jets = patches.jets(range, kDerivatives, memory, 0);
+  const double* jets = patches.jets(range, derivatives, memory, 0);
   for (int p = 0; p < range.count; ++p) {
     const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>> rows(
-        jets + static_cast<std::size_t>(3) * p * kDerivatives * table.samples,
-        static_cast<Eigen::Index>(kDerivatives) * table.samples, 3);
+        jets + static_cast<std::size_t>(3) * p * derivatives * table.samples,
+        static_cast<Eigen::Index>(derivatives) * table.samples, 3);
     const std::size_t first = points.size();
     for (int s = 0; s < table.distinct; ++s) {
-      Eigen::Matrix<double, kDerivatives, 3> x;
-      for (int d = 0; d < kDerivatives; ++d) x.row(d) = rows.row(d * table.samples + s);
+      PointJet x;
+      for (int d = 0; d < derivatives; ++d) x.row(d) = rows.row(d * table.samples + s);
       points.emplace_back(x);
+      if (weights) points.back().density = density_at(*weights, x);
     }
     if (set.kind.at_extraordinary()) {
       points[first].position = cap_centre(patches.layout().caps()[set.caps[range.first + p]], patches.points());
@@ -240,20 +270,25 @@ void add_grids(const PatchEvaluator& patches, PatchRange range, PatchMemory& mem
 void put_back(LimitMesh& mesh, const Placement& placement) {
   mesh.positions = placement.back(mesh.positions);
   mesh.curvatures = mesh.curvatures.unaryExpr([&](double k) { return std::ldexp(k, -placement.exponent); }).eval();
+  mesh.densities = mesh.densities.unaryExpr([&](double e) { return std::ldexp(e, -2 * placement.exponent); }).eval();
 }
 
 LimitMesh tessellate(const PolygonMesh& mesh, const SymmetryGroup& group, const PatchLayout& layout,
-                     const Points& control, int density) {
-  PatchEvaluator patches(layout, [&](const PatchKind& kind) { return PatchBasis(grid_table(kind, density)); });
+                     const Points& control, int density, const std::optional<EnergyDensity>& energy) {
+  std::optional<Weights> weights;
+  if (energy) weights = with_area(*energy);
+  PatchEvaluator patches(layout, [&](const PatchKind& kind) {
+    return PatchBasis(grid_table(kind, density, derivatives_for(weights.has_value())));
+  });
   patches.move_to(control);
-  Tessellation result(mesh, group, density);
+  Tessellation result(mesh, group, density, weights.has_value());
   std::vector<PatchMemory> memories(thread_count());
   std::vector<std::vector<SurfacePoint>> grids(slot_count());  // of the patches of a range, one after the other
   in_order(
       static_cast<int>(patches.ranges().size()), slot_count(),
       [&](int r, int slot, int member) {
         grids[slot].clear();
-        add_grids(patches, patches.ranges()[r], memories[member], grids[slot]);
+        add_grids(patches, patches.ranges()[r], weights, memories[member], grids[slot]);
       },
       [&](int r, int slot) {
         const PatchRange range = patches.ranges()[r];

@@ -250,6 +250,35 @@ TEST(Api, gives_a_control_mesh_its_edges_once_and_a_limit_mesh_its_curvatures) {
   umbilic_run_destroy(run);
 }
 
+TEST(Api, gives_a_limit_mesh_the_density_of_its_energy_if_it_is_asked_for) {
+  umbilic_run* run = begun(bending_of("cube", 2, 2));
+  umbilic_mesh *without = nullptr, *with = nullptr;
+  const std::string terms = R"({"bending": 1})", unknown = R"({"bendin": 1})";
+  ASSERT_EQ(umbilic_run_limit_mesh_with_densities(run, 3, unknown.data(), unknown.size(), &with), UMBILIC_BAD_INPUT);
+  EXPECT_NE(message().find("bendin"), std::string::npos);
+  ASSERT_EQ(umbilic_run_limit_mesh(run, 3, &without), UMBILIC_OK);
+  ASSERT_EQ(umbilic_run_limit_mesh_with_densities(run, 3, terms.data(), terms.size(), &with), UMBILIC_OK);
+  const float* densities = nullptr;
+  size_t count = 77;
+  ASSERT_EQ(umbilic_mesh_densities(without, &densities, &count), UMBILIC_OK);
+  EXPECT_EQ(densities, nullptr);
+  EXPECT_EQ(count, 0u);
+  umbilic_mesh_arrays arrays{};
+  ASSERT_EQ(umbilic_mesh_view(with, &arrays), UMBILIC_OK);
+  ASSERT_EQ(umbilic_mesh_densities(with, &densities, &count), UMBILIC_OK);
+  ASSERT_EQ(count, arrays.vertex_count);
+  // Away from extraordinary vertices, where neighbouring patches have the same curvatures, it is that of the mean ones.
+  size_t agree = 0;
+  for (size_t v = 0; v < count; ++v) {
+    const double bending =
+        std::pow(double{arrays.curvatures[2 * v]}, 2) + std::pow(double{arrays.curvatures[2 * v + 1]}, 2);
+    agree += std::abs(double{densities[v]} - bending) < 1e-4 * bending;
+  }
+  EXPECT_GT(agree, count * 9 / 10);
+  for (umbilic_mesh* mesh : {without, with}) umbilic_mesh_destroy(mesh);
+  umbilic_run_destroy(run);
+}
+
 TEST(Api, cuts_a_message_to_the_buffer_and_tells_its_full_length) {
   const std::string name(500, 'x');
   const std::string text = "{\"generator\": \"" + name + "\"}";

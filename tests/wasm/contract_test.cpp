@@ -97,6 +97,7 @@ TEST_F(Contract, answers_a_null_pointer_with_a_status_and_writes_nothing) {
   int32_t done = 77, level = 77;
   double number = 77;
   const double* points = nullptr;
+  const float* densities = nullptr;
   size_t count = 77;
   const umbilic_status statuses[] = {
       umbilic_cage_names(nullptr),
@@ -132,6 +133,9 @@ TEST_F(Contract, answers_a_null_pointer_with_a_status_and_writes_nothing) {
       umbilic_run_control_mesh(run, nullptr),
       umbilic_run_limit_mesh(nullptr, 1, &no_mesh),
       umbilic_run_limit_mesh(run, 1, nullptr),
+      umbilic_run_limit_mesh_with_densities(nullptr, 1, text, length, &no_mesh),
+      umbilic_run_limit_mesh_with_densities(run, 1, nullptr, 3, &no_mesh),
+      umbilic_run_limit_mesh_with_densities(run, 1, text, length, nullptr),
       umbilic_run_certify(nullptr, &no_certificate),
       umbilic_run_certify(run, nullptr),
       umbilic_certificate_step(nullptr, 1, &done),
@@ -144,6 +148,9 @@ TEST_F(Contract, answers_a_null_pointer_with_a_status_and_writes_nothing) {
       umbilic_certificate_descent(certificate, nullptr, &points, &count),
       umbilic_mesh_view(nullptr, &arrays),
       umbilic_mesh_view(mesh, nullptr),
+      umbilic_mesh_densities(nullptr, &densities, &count),
+      umbilic_mesh_densities(mesh, nullptr, &count),
+      umbilic_mesh_densities(mesh, &densities, nullptr),
       umbilic_mesh_obj(nullptr, &answer),
       umbilic_mesh_obj(mesh, nullptr),
   };
@@ -155,7 +162,7 @@ TEST_F(Contract, answers_a_null_pointer_with_a_status_and_writes_nothing) {
   EXPECT_EQ(level, 77);
   EXPECT_EQ(number, 77);
   EXPECT_EQ(count, 77u);
-  EXPECT_TRUE(!no_cage && !no_run && !no_certificate && !no_mesh && !points && !arrays.positions);
+  EXPECT_TRUE(!no_cage && !no_run && !no_certificate && !no_mesh && !points && !densities && !arrays.positions);
   umbilic_cage_destroy(nullptr);
   umbilic_run_destroy(nullptr);
   umbilic_certificate_destroy(nullptr);

@@ -9,6 +9,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { Cage, Minimizer, load } from '../../wasm/umbilic.js';
+import { vertexAreas } from '../../web/colour/histogram.js';
 
 const program = fileURLToPath(new URL('../../build/native/umbilic', import.meta.url));
 const folder = mkdtempSync(path.join(os.tmpdir(), 'umbilic-'));
@@ -88,5 +89,26 @@ test('the first ten energies of L-BFGS agree to 1e-8', () => {
     expect(Math.abs(level.energy - native.levels[0].energy)).toBeLessThanOrEqual(1e-8 * level.energy);
     minimizer.dispose();
   }
+  cage.dispose();
+});
+
+test.each(
+  /** @type {import('../../wasm/types.js').FunctionalName[]} */ (['bending', 'mvs_cross', 'curvedness_variation']),
+)('the density of %s integrates in WebAssembly to the energy of the native program', (name) => {
+  const cage = Cage.generate('two-3');
+  const file = path.join(folder, 'density.obj');
+  writeFileSync(file, cage.obj());
+  const minimizer = new Minimizer({
+    cage: cage.input,
+    terms: { bending: 1 },
+    options: { levels: [1, 1], max_iterations: 0 },
+  });
+  const mesh = minimizer.limitMeshWithDensities(32, { [name]: 1 });
+  const areas = vertexAreas(mesh.positions, mesh.triangles);
+  const integral = areas.reduce((sum, area, vertex) => sum + area * mesh.densities[vertex], 0);
+  // The error falls with the square of the spacing.
+  expect(Math.abs(integral / nativeReport(file, 'smooth', 1).energies[name] - 1)).toBeLessThan(0.01);
+  expect(() => minimizer.limitMeshWithDensities(2, /** @type {any} */ ({ nothing: 1 }))).toThrow('nothing');
+  minimizer.dispose();
   cage.dispose();
 });

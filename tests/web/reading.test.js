@@ -37,19 +37,24 @@ describe('the reading at a point of a torus', () => {
     expect(reading.kappa1).toBeCloseTo(1 / small, 4);
     // The mesh has 64 points around the tube; the error of linear interpolation is about (2π/64)²/8 of the second derivative.
     expect(Math.abs(reading.kappa2 - Math.cos(theta) / distance)).toBeLessThan(0.006);
-    expect(Math.abs((reading.deviation ?? 0) - small * Math.sin(theta))).toBeLessThan(0.002);
+    expect(Math.abs((reading.computed ?? 0) - small * Math.sin(theta))).toBeLessThan(0.002);
     reading.point.forEach((value, axis) => {
       expect(Math.abs(value - mesh.centre[axis] - expected[axis])).toBeLessThan(0.002);
     });
   });
 
   test('is said with the mean and the Gaussian curvature', () => {
-    const { curvatures, place } = readingWords({ kappa1: 2, kappa2: -0.5, deviation: null, point: [1, -2, 0] });
+    const { curvatures, place } = readingWords({ kappa1: 2, kappa2: -0.5, computed: null, point: [1, -2, 0] }, null);
     expect(curvatures.replaceAll('\u00a0', ' ')).toBe(
       'κ₁ 2.000, κ₂ −0.5000, H 0.7500 per length, K −1.000 per length²',
     );
     expect(place).toBe('at (1.000, −2.000, 0)');
-    expect(readingWords({ kappa1: 2, kappa2: 0, deviation: 0.25, point: [1, -2, 0] }).place).toMatch('moved by 0.2500');
+    /** @type {Parameters<typeof readingWords>[0]} */
+    const computed = { kappa1: 2, kappa2: 0, computed: 0.25, point: [1, -2, 0] };
+    expect(readingWords(computed, 'deviation').place).toMatch('moved by 0.2500');
+    expect(readingWords(computed, 'energy').place).toBe(
+      'energy density\u00a00.2500 per length², at (1.000, −2.000, 0)',
+    );
   });
 });
 

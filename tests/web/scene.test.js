@@ -6,7 +6,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import { BufferGeometry, Vector3 } from 'three';
-import { extent, setDeviations, setEdges, setParts, setSurface } from '../../web/scene/geometry.js';
+import { extent, setComputed, setEdges, setParts, setSurface } from '../../web/scene/geometry.js';
 import { splitHeld } from '../../web/scene/held.js';
 import { createPace } from '../../web/scene/pace.js';
 import { nearestVertex, pick } from '../../web/scene/pick.js';
@@ -57,13 +57,15 @@ describe('a geometry', () => {
     for (const value of values) expect(Math.abs(value)).toBeLessThanOrEqual(1.0001e12);
   });
 
-  test('has deviations only while there are some', () => {
+  test('has computed values only while there are some', () => {
     const geometry = new BufferGeometry();
     setSurface(geometry, mesh());
-    setDeviations(geometry, Float32Array.of(0, 1, -2));
-    expect([...geometry.getAttribute('deviation').array]).toEqual([0, 1, -2]);
-    setDeviations(geometry, null);
-    expect(geometry.hasAttribute('deviation')).toBe(false);
+    setComputed(geometry, Float32Array.of(0, 1, -2));
+    expect([...geometry.getAttribute('computed').array]).toEqual([0, 1, -2]);
+    setComputed(geometry, Float32Array.of(0, NaN, Infinity));
+    expect([...geometry.getAttribute('computed').array]).toEqual([0, 0, Math.fround(1e12)]);
+    setComputed(geometry, null);
+    expect(geometry.hasAttribute('computed')).toBe(false);
   });
 
   test('of a cage has its edges as index', () => {

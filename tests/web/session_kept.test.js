@@ -4,6 +4,7 @@
  * cage's own, and the cage before it was filled; and of every surface its topology once.
  */
 import { describe, expect, test } from '@jest/globals';
+import { vertexAreas } from '../../web/colour/histogram.js';
 import { patchEdges } from '../../web/scene/patches.js';
 import { withTopology } from '../../web/worker/protocol.js';
 import { fish } from '../browser/fish.js';
@@ -78,20 +79,21 @@ describe('the deviation', () => {
   test('is sent while it is asked for, 0 before anything moves and where it is held, and within the largest distance', () => {
     open(1);
     work();
-    expect(all('surfaced').filter((message) => 'deviations' in message)).toEqual([]);
-    session.obey({ type: 'deviate', on: true });
+    expect(all('surfaced').filter((message) => 'computed' in message)).toEqual([]);
+    session.obey({ type: 'compute', wish: { of: 'deviation' } });
+    work();
     const resting = all('surfaced').at(-1);
-    expect(new Set(resting.deviations)).toEqual(new Set([0]));
-    expect(resting.deviations).toHaveLength(resting.limit.positions.length / 3);
+    expect(new Set(resting.computed.values)).toEqual(new Set([0]));
+    expect(resting.computed.values).toHaveLength(resting.limit.positions.length / 3);
 
-    open(2, { then: 'run', deviation: true });
+    open(2, { then: 'run', wish: { of: 'deviation' } });
     work();
     const moved = all('surfaced').filter(({ run }) => run === 2);
     const faces = moved.findLast(({ limit }) => limit.faces)?.limit;
-    const { deviations } = moved.at(-1);
+    const { values } = moved.at(-1).computed;
     const held = new Set([...faces.triangles].filter((_, i) => faces.faces[Math.floor(i / 3)] >= 32));
-    for (const vertex of held) expect(Math.abs(deviations[vertex])).toBeLessThan(1e-6);
-    const largest = deviations.reduce(
+    for (const vertex of held) expect(Math.abs(values[vertex])).toBeLessThan(1e-6);
+    const largest = values.reduce(
       (/** @type {number} */ most, /** @type {number} */ d) => Math.max(most, Math.abs(d)),
       0,
     );
@@ -99,10 +101,43 @@ describe('the deviation', () => {
     expect(largest).toBeGreaterThan(0.2 * deviation);
     expect(largest).toBeLessThanOrEqual(1.001 * deviation);
 
-    session.obey({ type: 'deviate', on: false });
+    session.obey({ type: 'compute', wish: null });
     open(3);
     work();
-    expect(all('surfaced').at(-1)).not.toHaveProperty('deviations');
+    expect(all('surfaced').at(-1)).not.toHaveProperty('computed');
+  });
+});
+
+describe('the density of an energy', () => {
+  /** The integral over a mesh by its corners' means. @param {any} message */
+  function integral({ limit: { positions }, computed: { values } }) {
+    const triangles = all('surfaced').findLast(({ limit }) => limit.triangles)?.limit.triangles;
+    return vertexAreas(positions, triangles).reduce((sum, area, vertex) => sum + area * values[vertex], 0);
+  }
+
+  test('is sent while it is asked for, integrates to the energy, and need not be what is minimized', () => {
+    open(1);
+    work();
+    const { energies } = all('measured').at(-1);
+    for (const terms of [{ bending: 1 }, { mvs_cross: 0.5, bending: 0.5 }]) {
+      session.obey({ type: 'compute', wish: { of: 'energy', terms } });
+      work();
+      const message = all('surfaced').at(-1);
+      expect(message.computed.wish).toEqual({ of: 'energy', terms });
+      const expected = Object.entries(terms).reduce((sum, [name, weight]) => sum + weight * energies[name], 0);
+      expect(Math.abs(integral(message) / expected - 1)).toBeLessThan(0.02);
+    }
+  });
+
+  test('is sent once for many wishes that come at once, the last one', () => {
+    open(1);
+    work();
+    const before = all('surfaced').length;
+    for (const weight of [1, 2, 3])
+      session.obey({ type: 'compute', wish: { of: 'energy', terms: { bending: weight } } });
+    work();
+    const sent = all('surfaced').slice(before);
+    expect(sent.map(({ computed }) => computed.wish.terms.bending)).toEqual([3]);
   });
 });
 

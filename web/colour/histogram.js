@@ -40,11 +40,11 @@ export function vertexAreas(positions, triangles) {
  * The values of a quantity at all vertices; NaN where it has none.
  * @param {Quantity} quantity
  * @param {Float32Array} curvatures κ1, κ2 per vertex
- * @param {Float32Array | null} deviations per vertex
+ * @param {Float32Array | null} computed per vertex, where they are no function of curvatures
  * @returns {Float32Array}
  */
-export function valuesOf({ value: of }, curvatures, deviations) {
-  if (!of) return deviations ?? new Float32Array(curvatures.length / 2).fill(NaN);
+export function valuesOf({ value: of }, curvatures, computed) {
+  if (!of) return computed ?? new Float32Array(curvatures.length / 2).fill(NaN);
   return Float32Array.from({ length: curvatures.length / 2 }, (_, vertex) =>
     of(curvatures[2 * vertex], curvatures[2 * vertex + 1]),
   );

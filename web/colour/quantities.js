@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file The quantities that can colour a surface, with their units and colour maps: functions of the principal curvatures
- * κ1 ≥ κ2, and the distance from the cage's own surface; and the patterns that can be drawn on it instead.
+ * κ1 ≥ κ2, the density of the energy and the distance from the cage's own surface, which the worker computes while they are
+ * shown; and the patterns that can be drawn on it instead.
  */
 
 /** @import {MapName} from './maps.js' */
 
 /** @typedef {'stripes' | 'isophotes'} Pattern */
-/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'difference' | 'deviation' | Pattern | 'plain'} Shading */
+/** What is no function of curvatures. @typedef {'energy' | 'deviation'} Computed */
+/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'difference' | Computed | Pattern | 'plain'} Shading */
 
 /**
  * @typedef {object} Quantity
@@ -17,8 +19,8 @@
  * @property {string} unit
  * @property {boolean} signed signed quantities have a range symmetric about 0
  * @property {MapName} map
- * @property {(kappa1: number, kappa2: number) => number} [value] of curvatures; the deviation is a number by itself
- * @property {string} glsl the same as `value`, in terms of `k.x` and `k.y`, or of the deviation `d`
+ * @property {(kappa1: number, kappa2: number) => number} [value] of curvatures; what is computed is a number by itself
+ * @property {string} glsl the same as `value`, in terms of `k.x` and `k.y`, or of what is computed `d`
  */
 
 /** Those of curvatures. @type {Array<Quantity & Required<Pick<Quantity, 'value'>>>} */
@@ -86,6 +88,21 @@ export const quantities = [
 ];
 
 /**
+ * Where the energy is: the integrand of the weighted functionals with their powers of the area A, which integrates to the
+ * energy. Energies have no unit.
+ * @type {Quantity}
+ */
+export const energyDensity = {
+  shading: 'energy',
+  name: 'Energy density',
+  symbol: 'dE / dA',
+  unit: '1/length²',
+  signed: false,
+  map: 'sequential',
+  glsl: 'd',
+};
+
+/**
  * The signed distance from the cage's own surface, along its normal: 0 where nothing has moved.
  * @type {Quantity}
  */
@@ -100,7 +117,7 @@ export const deviation = {
 };
 
 /** @type {Quantity[]} */
-export const allQuantities = [...quantities, deviation];
+export const allQuantities = [...quantities, energyDensity, deviation];
 
 /**
  * The shadings that show how smooth the normals are: dark and light lines that follow the viewer.
@@ -126,6 +143,9 @@ export function quantityOf(shading) {
   return allQuantities.find((quantity) => quantity.shading === shading) ?? null;
 }
 
+/** A shading that the worker computes, if it is one. @param {Shading} shading @returns {Computed | null} */
+export const computedOf = (shading) => (shading === 'energy' || shading === 'deviation' ? shading : null);
+
 /** Largest number of values from which a range is computed; the percentiles of this many are accurate enough. */
 const MAX_SAMPLES = 4096;
 
@@ -133,18 +153,18 @@ const MAX_SAMPLES = 4096;
  * The finite values of a quantity at evenly picked vertices.
  * @param {Quantity} quantity
  * @param {Float32Array} curvatures κ1, κ2 per vertex
+ * @param {Float32Array | null} [computed] the values of a quantity that is no function of curvatures
  * @returns {Float64Array}
  */
-export function sampleValues(quantity, curvatures) {
-  const { value: of } = quantity;
-  if (!of) return new Float64Array(0);
+export function sampleValues({ value: of }, curvatures, computed = null) {
+  if (!of && !computed) return new Float64Array(0);
   const vertices = curvatures.length / 2;
   const count = Math.min(vertices, MAX_SAMPLES);
   const values = new Float64Array(count);
   let kept = 0;
   for (let i = 0; i < count; i++) {
     const vertex = Math.floor((i * vertices) / count);
-    const value = of(curvatures[2 * vertex], curvatures[2 * vertex + 1]);
+    const value = of ? of(curvatures[2 * vertex], curvatures[2 * vertex + 1]) : (computed?.[vertex] ?? NaN);
     if (Number.isFinite(value)) values[kept++] = value;
   }
   return values.subarray(0, kept);

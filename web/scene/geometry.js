@@ -78,13 +78,14 @@ export function setSurface(geometry, mesh, held = null) {
 }
 
 /**
- * Sets the distance of each vertex from the cage's own surface; without, all are 0.
+ * Sets what is computed of each vertex; without, all are 0.
  * @param {BufferGeometry} geometry
- * @param {Float32Array | null} deviations
+ * @param {Float32Array | null} computed changed in place where it is not finite
  */
-export function setDeviations(geometry, deviations) {
-  if (deviations) setAttribute(geometry, 'deviation', deviations, 1);
-  else geometry.deleteAttribute('deviation');
+export function setComputed(geometry, computed) {
+  if (!computed) return void geometry.deleteAttribute('computed');
+  makeFinite(computed);
+  setAttribute(geometry, 'computed', computed, 1);
 }
 
 /**

@@ -1,48 +1,25 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file What is drawn on the surface: the rim of what is held, a dot at each pin, and a boundary that is pointed at. Faint where the surface hides them.
+ * @file What is drawn on the surface: the rim of what is held, a dot at each pin, a boundary that is pointed at, and
+ * the curves in which the surface crosses itself. Faint where the surface hides them.
  */
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from 'three';
+import { asDiscs, createBroadLines, dotOf } from './broad_line.js';
 import { LIFT, lift } from './lift.js';
 
-/** @import {ColorRepresentation, Material} from 'three' */
+/** @import {ColorRepresentation} from 'three' */
 
 /** Diameter of a pin's dot, in CSS pixels. */
 const DOT = 11;
-/** Width of the line along a marked boundary, in CSS pixels: it is drawn as dots, as lines are always of one pixel. */
-const LINE = 5;
-/** Dots on each edge of the mesh, so that they touch. */
-const DOTS = 6;
-
 /**
- * Points along edges, both ends included.
+ * The segments of edges, 6 coordinates for each.
  * @param {BufferGeometry} surface whose positions the edges name
  * @param {Uint32Array} edges
- * @returns {Float32Array} 3 for each
+ * @returns {Float32Array}
  */
-function dotsAlong(surface, edges) {
+function segmentsOf(surface, edges) {
   const { array } = surface.getAttribute('position');
-  const dots = [];
-  for (let e = 0; e < edges.length; e += 2) {
-    for (let k = 0; k <= DOTS; k++) {
-      for (let axis = 0; axis < 3; axis++) {
-        const [from, to] = [array[3 * edges[e] + axis], array[3 * edges[e + 1] + axis]];
-        dots.push(from + ((to - from) * k) / DOTS);
-      }
-    }
-  }
-  return Float32Array.from(dots);
-}
-
-/** Draws dots as discs. @param {Material} material */
-function asDiscs(material) {
-  material.onBeforeCompile = (shader) => {
-    shader.fragmentShader = shader.fragmentShader.replace(
-      '#include <color_fragment>',
-      '#include <color_fragment>\nif (distance(gl_PointCoord, vec2(0.5)) > 0.5) discard;',
-    );
-    lift(shader, LIFT.dot);
-  };
+  return Float32Array.from({ length: 3 * edges.length }, (_, i) => array[3 * edges[Math.floor(i / 3)] + (i % 3)]);
 }
 
 export function createMarks() {
@@ -52,23 +29,16 @@ export function createMarks() {
   const rim = new LineSegments(rimGeometry, rimSeen);
 
   const pinGeometry = new BufferGeometry();
-  const size = DOT * Math.min(window.devicePixelRatio, 2);
-  const plain = { size, sizeAttenuation: false, transparent: true, toneMapped: false };
-  const pinSeen = new PointsMaterial(plain);
-  const pinHidden = new PointsMaterial({ ...plain, opacity: 0.3, depthTest: false });
+  const pinSeen = new PointsMaterial(dotOf(DOT));
+  const pinHidden = new PointsMaterial({ ...dotOf(DOT), opacity: 0.3, depthTest: false });
   [pinSeen, pinHidden].forEach(asDiscs);
   const pins = [new Points(pinGeometry, pinHidden), new Points(pinGeometry, pinSeen)];
 
-  const boundaryGeometry = new BufferGeometry();
-  const line = { ...plain, size: LINE * Math.min(window.devicePixelRatio, 2) };
-  const boundarySeen = new PointsMaterial(line);
-  const boundaryHidden = new PointsMaterial({ ...line, opacity: 0.3, depthTest: false });
-  [boundarySeen, boundaryHidden].forEach(asDiscs);
-  const boundary = [new Points(boundaryGeometry, boundaryHidden), new Points(boundaryGeometry, boundarySeen)];
-  for (const one of boundary) one.visible = false;
+  const broad = createBroadLines(2);
+  const [boundary, crossings] = broad.lines;
 
   const group = new Group();
-  group.add(rim, ...boundary, ...pins);
+  group.add(rim, ...boundary.points, ...crossings.points, ...pins);
   for (const object of group.children) object.frustumCulled = false;
 
   return {
@@ -83,12 +53,10 @@ export function createMarks() {
     },
 
     /** @param {BufferGeometry} surface whose positions the edges name @param {Uint32Array} edges */
-    setBoundary(surface, edges) {
-      for (const one of boundary) one.visible = edges.length > 0;
-      if (!edges.length) return;
-      boundaryGeometry.dispose();
-      boundaryGeometry.setAttribute('position', new BufferAttribute(dotsAlong(surface, edges), 3));
-    },
+    setBoundary: (surface, edges) => boundary.set(segmentsOf(surface, edges)),
+
+    /** @param {Float32Array} segments 6 coordinates for each */
+    setCrossings: (segments) => crossings.set(segments),
 
     /** @param {Float32Array} positions 3 for each pin */
     setPins(positions) {
@@ -100,14 +68,15 @@ export function createMarks() {
     /** @param {ColorRepresentation} line @param {ColorRepresentation} dot */
     setColours(line, dot) {
       rimSeen.color.set(line);
-      for (const material of [pinSeen, pinHidden, boundarySeen, boundaryHidden]) material.color.set(dot);
+      for (const material of [pinSeen, pinHidden]) material.color.set(dot);
+      broad.paint(dot);
     },
 
     dispose() {
       rimGeometry.dispose();
       pinGeometry.dispose();
-      boundaryGeometry.dispose();
-      [rimSeen, pinSeen, pinHidden, boundarySeen, boundaryHidden].forEach((material) => material.dispose());
+      broad.dispose();
+      [rimSeen, pinSeen, pinHidden].forEach((material) => material.dispose());
     },
   };
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The surface's material: a soft ceramic, coloured per vertex from the principal curvatures or the deviation through a colour map,
+ * @file The surface's material: a soft ceramic, coloured per vertex from the principal curvatures or what is computed through a colour map,
  * or with a pattern. What is held has another, in grey. The shaders are in shaders.js.
  */
 import { Color, DataTexture, DoubleSide, LinearFilter, MeshStandardMaterial, SRGBColorSpace } from 'three';

@@ -85,6 +85,8 @@ export function createOverlays(surface) {
   group.add(control.group, original.group, patches.lines);
   return {
     group,
+    /** The material of the edges of patches. */
+    patches: patches.material,
     setControl: control.set,
     setOriginal: original.set,
     setPatches: patches.set,

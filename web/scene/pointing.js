@@ -21,7 +21,7 @@ export function createPointing(surface, camera) {
   /** @type {Mesh | null} */
   let mesh = null;
   /** @type {Float32Array | null} */
-  let deviations = null;
+  let computed = null;
   /** Of the mesh, once they are needed. @type {Float64Array | null} */
   let boxes = null;
 
@@ -37,10 +37,10 @@ export function createPointing(surface, camera) {
   }
 
   return {
-    /** @param {Mesh} next @param {Float32Array | null} [distances] of each vertex from the cage's own surface */
-    set(next, distances = null) {
+    /** @param {Mesh} next @param {Float32Array | null} [values] computed of each vertex */
+    set(next, values = null) {
       mesh = next;
-      deviations = distances;
+      computed = values;
       boxes = null;
     },
 
@@ -67,7 +67,7 @@ export function createPointing(surface, camera) {
     /** @param {number} x @param {number} y @returns {Reading | null} */
     reading(x, y) {
       const found = hit(x, y);
-      return found && mesh && readingAt(mesh, deviations, found);
+      return found && mesh && readingAt(mesh, computed, found);
     },
   };
 }

@@ -8,18 +8,18 @@
 /** @import {Hit} from './pick.js' */
 
 /**
- * Principal curvatures κ1 ≥ κ2 in 1/length, the distance from the cage's own surface if it is known, and the point in the
+ * Principal curvatures κ1 ≥ κ2 in 1/length, what is computed of each vertex if something is, and the point in the
  * coordinates of the cage.
- * @typedef {{kappa1: number, kappa2: number, deviation: number | null, point: Vector3Tuple}} Reading
+ * @typedef {{kappa1: number, kappa2: number, computed: number | null, point: Vector3Tuple}} Reading
  */
 
 /**
  * @param {Pick<Mesh, 'triangles' | 'curvatures' | 'centre'>} mesh
- * @param {Float32Array | null} deviations per vertex
+ * @param {Float32Array | null} computed per vertex
  * @param {Pick<Hit, 'triangle' | 'weights' | 'point'>} hit
  * @returns {Reading}
  */
-export function readingAt({ triangles, curvatures, centre }, deviations, { triangle, weights, point }) {
+export function readingAt({ triangles, curvatures, centre }, computed, { triangle, weights, point }) {
   /** @param {Float32Array} values @param {number} size of each vertex @param {number} [offset] */
   const between = (values, size, offset = 0) =>
     weights.reduce((sum, weight, i) => sum + weight * values[size * triangles[3 * triangle + i] + offset], 0);
@@ -27,7 +27,7 @@ export function readingAt({ triangles, curvatures, centre }, deviations, { trian
   return {
     kappa1: between(curvatures, 2),
     kappa2: between(curvatures, 2, 1),
-    deviation: deviations && between(deviations, 1),
+    computed: computed && between(computed, 1),
     point: [x, y, z],
   };
 }

@@ -2,8 +2,8 @@
 /**
  * @file The three.js scene: surface, lines over it, light and camera. Draws only when something has changed.
  */
-import { BufferGeometry, Mesh, Scene } from 'three';
-import { extent, setDeviations, setParts, setSurface } from './geometry.js';
+import { BufferGeometry, Mesh, Plane, Scene } from 'three';
+import { extent, setComputed, setParts, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
 import { createHandle } from './handle.js';
 import { createMarks } from './marks.js';
@@ -12,11 +12,13 @@ import { createOrbit } from './orbit.js';
 import { createOverlays } from './overlays.js';
 import { createPainter } from './painter.js';
 import { createPointing } from './pointing.js';
+import { createSectionLines } from './section_lines.js';
 import { createStand } from './stand.js';
 
 /** @import * as core from '../../wasm/types.js' */
 /** @import {Camera, Projection} from '../address/camera.js' */
 /** @import {Shade} from './material.js' */
+/** @import {Cut} from './section_lines.js' */
 
 /** The surface is raised above the middle by this fraction of the height, clear of the legend. */
 const RAISE = 0.035;
@@ -47,7 +49,8 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
   const pointing = createPointing(surface, orbit.lens);
   const stand = createStand();
   const marks = createMarks();
-  stand.model.add(surface, overlays.group, marks.group);
+  const section = createSectionLines();
+  stand.model.add(surface, overlays.group, marks.group, section.group);
   scene.add(stand.object);
   const handle = createHandle(
     canvas,
@@ -62,6 +65,19 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
     },
   );
 
+  /** What is before it is not drawn, in the world. */
+  const front = new Plane();
+  /** The surface's materials, and the lines on it that are cut with it. */
+  const cuttable = [surfaceMaterial.material, surfaceMaterial.held, overlays.patches];
+  /** Whether what is before the section is cut away. */
+  let cutting = false;
+  /** @param {import('three').WebGLRenderer} renderer */
+  function cutAway(renderer) {
+    renderer.localClippingEnabled = cutting;
+    stand.model.updateWorldMatrix(true, false);
+    front.copy(section.plane).applyMatrix4(stand.model.matrixWorld);
+  }
+
   const painter = createPainter(canvas, {
     slow,
     drawn,
@@ -74,6 +90,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       if (!surface.visible) return;
       orbit.focus();
       handle.prepare();
+      cutAway(renderer);
       renderer.render(scene, orbit.lens());
     },
     resized(width, height) {
@@ -134,15 +151,15 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
 
     /**
      * @param {core.Mesh} mesh
-     * @param {Float32Array | null} [deviations] of each vertex from the cage's own surface
+     * @param {Float32Array | null} [computed] a value of each vertex that is no function of curvatures
      * @param {core.Mesh} [like] the mesh that is placed in the picture, to which this one keeps its position and size
      */
-    setSurface(mesh, deviations = null, like = mesh) {
+    setSurface(mesh, computed = null, like = mesh) {
       marks.setRim(surfaceGeometry, setSurface(surfaceGeometry, mesh, held));
-      setDeviations(surfaceGeometry, deviations);
+      setComputed(surfaceGeometry, computed);
       placePins(mesh);
       shown = mesh;
-      pointing.set(mesh, deviations);
+      pointing.set(mesh, computed);
       const { centre, radius } = extent(like.positions);
       const [x, y, z] = centre.map((value, axis) => value + like.centre[axis] - mesh.centre[axis]);
       // A surface that moved under the hand would take the handle along.
@@ -164,6 +181,26 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
     setMarked(edges) {
       marks.setBoundary(surfaceGeometry, edges);
       requestRender();
+    },
+
+    /** The segments of the surface's crossings with itself, 6 coordinates each; null for none. @param {Float32Array | null} segments */
+    setCrossings(segments) {
+      marks.setCrossings(segments ?? new Float32Array(0));
+      requestRender();
+    },
+
+    /**
+     * Cuts the surface that was set last. @param {Cut | null} cut null for no section
+     * @returns {import('./section_lines.js').CutFound | null}
+     */
+    setSection(cut) {
+      if (!shown) return null;
+      const found = section.set(shown, cut);
+      const cuts = cut?.cut ?? false;
+      if (cuts !== cutting) for (const material of cuttable) material.clippingPlanes = cuts ? [front] : null;
+      cutting = cuts;
+      requestRender();
+      return found;
     },
 
     /** For each pin its vertex of the cage, from 0, or -1 if it lies elsewhere. @param {number[]} next */
@@ -232,6 +269,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
     /** @param {string} line the colour of lines, as in CSS @param {string} accent of pins and of the cage that the surface began from */
     setColours(line, accent) {
       marks.setColours(line, accent);
+      section.setColours(line, accent);
       overlays.setColours(line, accent);
       handle.setColours(line, accent);
       requestRender();
@@ -248,6 +286,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       overlays.dispose();
       surfaceMaterial.dispose();
       marks.dispose();
+      section.dispose();
     },
   };
 }

@@ -18,7 +18,7 @@ const cases = allQuantities.map(({ glsl }, i) => `if (which == ${i}) return ${gl
 
 const VERTEX_HEAD = `
 attribute vec2 curvature;
-attribute float deviation;
+attribute float computed;
 uniform int which;
 varying float vQuantity;
 float quantityOf(vec2 k, float d) {
@@ -82,7 +82,7 @@ export function addQuantity(shader, uniforms) {
   Object.assign(shader.uniforms, uniforms);
   shader.vertexShader = (VERTEX_HEAD + shader.vertexShader).replace(
     '#include <begin_vertex>',
-    '#include <begin_vertex>\nvQuantity = quantityOf(curvature, deviation);',
+    '#include <begin_vertex>\nvQuantity = quantityOf(curvature, computed);',
   );
   shader.fragmentShader = (FRAGMENT_HEAD + shader.fragmentShader).replace('#include <color_fragment>', FRAGMENT_COLOUR);
 }

@@ -4,7 +4,7 @@
  * the range of the colours, common to all surfaces, unless it is pinned.
  */
 import { histogram, valuesOf, vertexAreas } from '../colour/histogram.js';
-import { patterns, quantities, quantityOf, sampleValues } from '../colour/quantities.js';
+import { deviation, patterns, quantities, quantityOf, sampleValues } from '../colour/quantities.js';
 import { calmRange, fullRange, givenRange, robustRange, sameRange } from '../colour/range.js';
 import { element, find, whenChanged } from './dom.js';
 import { createRangeView } from './legend_range.js';
@@ -19,14 +19,14 @@ import { STEPS, createScale } from './legend_scale.js';
  * @typedef {object} Shaded
  * @property {Shading} shading
  * @property {Float32Array[]} curvatures κ1, κ2 per vertex of every surface that the legend applies to
- * @property {Float32Array | null} [deviations] per vertex, where the deviation is shown
+ * @property {Float32Array | null} [computed] per vertex, where they are no function of curvatures
  * @property {string} occasion as long as it stays the same, the range changes rarely
  * @property {{positions: Float32Array, triangles: Uint32Array} | null} [mesh] of the only surface, for how its values are spread
  * @property {Ends | null} [pinned] the range, if it is pinned
  * @property {boolean} [isolines] whether the surface has isolines
  */
 
-/** A value of curvatures or a deviation that is pointed at. @typedef {{kappa1: number, kappa2: number, deviation: number | null}} Reading */
+/** The values of a point that is pointed at. @typedef {{kappa1: number, kappa2: number, computed: number | null}} Reading */
 
 /**
  * @param {HTMLElement} root
@@ -58,11 +58,11 @@ export function createLegendView(
       /** @type {Range | null} */ range,
       /** @type {Shaded['mesh'] | null} */ mesh,
       /** @type {Float32Array | null} */ curvatures,
-      /** @type {Float32Array | null} */ deviations,
+      /** @type {Float32Array | null} */ computed,
     ) => {
       if (!quantity || !range || !mesh || !curvatures) return scale.fill(null);
       const areas = vertexAreas(mesh.positions, mesh.triangles);
-      scale.fill(histogram(valuesOf(quantity, curvatures, deviations), areas, range, STEPS));
+      scale.fill(histogram(valuesOf(quantity, curvatures, computed), areas, range, STEPS));
     },
   );
   const given = memo(givenRange);
@@ -71,13 +71,13 @@ export function createLegendView(
 
   return {
     /** @param {Shaded} shaded @returns {Range | null} the range of the colours */
-    update({ shading, curvatures, deviations = null, occasion, mesh = null, pinned = null, isolines = false }) {
+    update({ shading, curvatures, computed = null, occasion, mesh = null, pinned = null, isolines = false }) {
       quantity = quantityOf(shading);
-      const free = measured(quantity, `${shading} ${occasion}`, deviations, curvatures);
+      const free = measured(quantity, `${shading} ${occasion}`, computed, curvatures);
       const range = quantity && pinned ? given(pinned.low, pinned.high) : free;
       select.value = shading;
       show(quantity, range, quantity ? unit(quantity) : '', isolines);
-      spread(quantity, range, mesh, curvatures[0] ?? null, deviations);
+      spread(quantity, range, mesh, curvatures[0] ?? null, computed);
       rangeView?.update(range, pinned !== null);
       return range;
     },
@@ -85,7 +85,7 @@ export function createLegendView(
     /** Marks a value in the colours. @param {Reading | null} reading */
     mark(reading) {
       if (!reading || !quantity) return scale.mark(null);
-      scale.mark(quantity.value ? quantity.value(reading.kappa1, reading.kappa2) : reading.deviation);
+      scale.mark(quantity.value ? quantity.value(reading.kappa1, reading.kappa2) : reading.computed);
     },
 
     dispose() {
@@ -121,17 +121,17 @@ function createMeasure() {
     (
       /** @type {Quantity | null} */ quantity,
       /** @type {string} */ occasion,
-      /** @type {Float32Array | null} */ deviations,
+      /** @type {Float32Array | null} */ computed,
       /** @type {Float32Array[]} */ ...curvatures
     ) => {
-      if (!quantity || !curvatures.length || (!quantity.value && !deviations)) {
+      if (!quantity || !curvatures.length || (!quantity.value && !computed)) {
         range = null;
         return;
       }
       const next =
-        quantity.value || !deviations
-          ? robustRange(joined(curvatures.map((one) => sampleValues(quantity, one))), quantity.signed)
-          : fullRange(deviations);
+        quantity !== deviation || !computed
+          ? robustRange(joined(curvatures.map((one) => sampleValues(quantity, one, computed))), quantity.signed)
+          : fullRange(computed);
       const wanted = occasion === lastOccasion ? calmRange(range, next) : next;
       // Keeps the same object while the range is the same, since a new one would cause a redraw.
       if (!range || !sameRange(range, wanted)) range = wanted;
@@ -141,10 +141,10 @@ function createMeasure() {
   return (
     /** @type {Quantity | null} */ quantity,
     /** @type {string} */ occasion,
-    /** @type {Float32Array | null} */ deviations,
+    /** @type {Float32Array | null} */ computed,
     /** @type {Float32Array[]} */ curvatures,
   ) => {
-    measure(quantity, occasion, deviations, ...curvatures);
+    measure(quantity, occasion, computed, ...curvatures);
     return range;
   };
 }

@@ -3,7 +3,7 @@
  * @file Names and descriptions of functionals, caps, stop reasons and phases on the page.
  */
 
-/** @import {CapName, FunctionalName, StopReason} from '../../wasm/types.js' */
+/** @import {CapName, FunctionalName, StopReason, Terms} from '../../wasm/types.js' */
 
 /**
  * @typedef {object} FunctionalWords
@@ -133,6 +133,13 @@ export const caps = [
     meaning: 'The bare limit surface. Right for bending and Willmore only; curvature variation diverges.',
   },
 ];
+
+/** What the numbers of an energy's density are. @param {Terms} terms @returns {string} */
+export function densityUnit(terms) {
+  const words = /** @type {FunctionalName[]} */ (Object.keys(terms)).map(functionalWords);
+  const factors = words.some(({ areaPower }) => areaPower > 0) ? ' with the factor A' : '';
+  return `energy per area: ${words.map(({ short }) => short).join(' + ')}${factors}, in 1/length²`;
+}
 
 /** @type {Record<StopReason | 'interrupted', string>} */
 export const stopWords = {

@@ -4,6 +4,8 @@
  */
 import { significant } from './numbers.js';
 
+/** @import {Computed} from '../colour/quantities.js' */
+
 /** Digits of all numbers. */
 const DIGITS = 4;
 
@@ -14,15 +16,19 @@ const number = (value) => significant(value, DIGITS);
 const named = (name, value) => `${name}\u00a0${number(value)}`;
 
 /**
- * @param {{kappa1: number, kappa2: number, deviation: number | null, point: [number, number, number]}} reading curvatures in
+ * @param {{kappa1: number, kappa2: number, computed: number | null, point: [number, number, number]}} reading curvatures in
  *   1/length
+ * @param {Computed | null} of what is computed
  * @returns {{curvatures: string, place: string}} two lines
  */
-export function readingWords({ kappa1, kappa2, deviation, point }) {
+export function readingWords({ kappa1, kappa2, computed, point }, of) {
   const [mean, gauss] = [(kappa1 + kappa2) / 2, kappa1 * kappa2];
-  const moved = deviation === null ? '' : `moved by ${number(deviation)}, `;
+  const told = {
+    energy: `energy density\u00a0${number(computed ?? NaN)} per length², `,
+    deviation: `moved by ${number(computed ?? NaN)}, `,
+  };
   return {
     curvatures: `${named('κ₁', kappa1)}, ${named('κ₂', kappa2)}, ${named('H', mean)} per length, ${named('K', gauss)} per length²`,
-    place: `${moved}at (${point.map(number).join(', ')})`,
+    place: `${of && computed !== null ? told[of] : ''}at (${point.map(number).join(', ')})`,
   };
 }

@@ -7,23 +7,27 @@ import { toLinearRgb } from '../colour/oklab.js';
 import { quantityOf } from '../colour/quantities.js';
 
 /** @import {Shading} from '../colour/quantities.js' */
+/** @import {Wish} from './computed.js' */
 /** @import {Colours} from '../files/glb.js' */
 
-/** What colours the surface, and the values at the ends of the colour map. @typedef {{shading: Shading, low: number, high: number}} Colouring */
+/**
+ * What colours the surface, the values at the ends of the colour map, and what has to be computed for it, if anything.
+ * @typedef {{shading: Shading, low: number, high: number, wish?: Wish | null}} Colouring
+ */
 
 const ONE = 65535;
 
 /**
  * @param {Colouring} colouring
  * @param {Float32Array} curvatures κ1, κ2 per vertex
- * @param {() => Float32Array} deviations per vertex, if the deviation is what is shown
+ * @param {() => Float32Array} computed values per vertex, if the shading is no function of curvatures
  * @returns {Colours | null} null if the shading gives no colours of its own
  */
-export function coloursOf({ shading, low, high }, curvatures, deviations) {
+export function coloursOf({ shading, low, high }, curvatures, computed) {
   const quantity = quantityOf(shading);
   if (!quantity) return null;
   const { value, map } = quantity;
-  const shown = value ? null : deviations();
+  const shown = value ? null : computed();
   const palette = mapColours(map).map((lab) => toLinearRgb(lab).map((part) => Math.round(ONE * clamped(part))));
   const count = curvatures.length / 2;
   const colours = new Uint16Array(4 * count);

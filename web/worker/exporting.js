@@ -7,8 +7,8 @@ import { placed } from '../files/placed.js';
 import { ply } from '../files/ply.js';
 import { stl } from '../files/stl.js';
 import { coloursOf } from './colouring.js';
+import { createComputed } from './computed.js';
 import { SAVED_QUADS, densityFor } from './density.js';
-import { createDeviation } from './deviation.js';
 import { createOwnSurface } from './own_surface.js';
 
 /** @import {Cage, Certificate, Minimizer} from '../../wasm/umbilic.js' */
@@ -38,11 +38,14 @@ function refinedObj(core, run, steps) {
 /** @param {Core} core @param {Minimizer} run @param {Mesh} mesh @param {number} density of it @param {ExportOptions} options */
 function coloursFor(core, run, mesh, density, { colouring }) {
   if (!colouring) return null;
-  const deviation = createDeviation(createOwnSurface(core));
+  const { wish = null } = colouring;
+  const computed = createComputed(createOwnSurface(core));
   try {
-    return coloursOf(colouring, mesh.curvatures, () => deviation.of(run, mesh, density));
+    return coloursOf(colouring, mesh.curvatures, () =>
+      wish ? computed.of(wish, run, mesh, density).values : new Float32Array(0),
+    );
   } finally {
-    deviation.drop();
+    computed.drop();
   }
 }
 

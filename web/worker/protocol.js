@@ -8,13 +8,15 @@
 /** @import {CageReport, CertificateReport, ConstraintsReport, Energies, FaceGroup, Group, LevelReport} from '../../wasm/types.js' */
 /** @import {Limit, Mesh, Problem, Progress, Report, StopReason, Targets} from '../../wasm/types.js' */
 /** @import {Colouring} from './colouring.js' */
+/** @import {ComputedValues, Wish} from './computed.js' */
+/** @import {Crossings} from './crossings.js' */
 
 /**
  * Begins the run of a problem (also given as the text of a problem or report file) and shows its surface. Answers
  * `opened`, `surfaced`, `saved`, `measured`, or `failed`. With `look`, for a minimizer that is only viewed and has many
  * faces: answers only `opened` and a coarse `surfaced`, so that it is on the screen soon. With `then`: works as if
- * `optimize` or `step` followed, and does not show the surface at rest first. `deviation`: as `deviate` for this run.
- * @typedef {{type: 'open', run: number, problem: Problem | string, look?: boolean, then?: 'run' | 'step', deviation?: boolean}} Open
+ * `optimize` or `step` followed, and does not show the surface at rest first. `wish`: as of `compute`, for this run.
+ * @typedef {{type: 'open', run: number, problem: Problem | string, look?: boolean, then?: 'run' | 'step', wish?: Wish}} Open
  *
  * The coarse surface has been drawn. Answers what `open` with `look` left out.
  * @typedef {{type: 'detail', run: number}} Detail
@@ -49,16 +51,18 @@
  * Answers `certificateAbandoned`, unless the certificate is ready.
  * @typedef {{type: 'abandonCertificate', run: number}} AbandonCertificate
  *
- * From now on, of whatever run, `surfaced` has the distances from the cage's own surface, or not. Answers `surfaced` if
- * it has and the surface is at rest.
- * @typedef {{type: 'deviate', on: boolean}} Deviate
+ * From now on, of whatever run, `surfaced` has values of this kind, or none. Answers `surfaced` if the surface is at rest.
+ * @typedef {{type: 'compute', wish: Wish | null}} Compute
+ *
+ * Looks for curves in which the surface of a run at rest crosses itself. Answers `searched`.
+ * @typedef {{type: 'search', run: number}} Search
  *
  * Asks for the surface and the cage that a run began from. Answers `recalled`.
  * @typedef {{type: 'recall', run: number}} Recall
  *
  * Asks for the answer `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Deviate | Recall | Ping} Command
+ * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Compute | Search | Recall | Ping} Command
  */
 
 /**
@@ -98,12 +102,15 @@
  *
  * The current surface. `evaluations` counts all levels so far. `patches` has its evaluated mesh, and `density` counts the quads
  * along each edge of one in the limit mesh, in which the quads of a patch follow each other. `coarse`: `detail` will bring a finer
- * one. `deviations`: the distance of each vertex of the limit mesh from the cage's own surface; see deviation.js.
+ * one. `computed`: values of the limit mesh's vertices; missing if none are wished for, or the energy is infinite.
  * @typedef {{type: 'surfaced', run: number, evaluations: number, patches: number, limit: MeshUpdate, density: number, control: MeshUpdate,
- *   deviations?: Float32Array, coarse?: boolean}} Surfaced
+ *   computed?: ComputedValues, coarse?: boolean}} Surfaced
  *
  * The limit mesh of the cage's own surface at the run's level, and the cage as it was given.
  * @typedef {{type: 'recalled', run: number, limit: Mesh, density: number, cage: Mesh}} Recalled
+ *
+ * Where the surface at rest crosses itself, in the coordinates of its limit mesh.
+ * @typedef {{type: 'searched', run: number, evaluations: number, crossings: Crossings}} Searched
  *
  * Energies of the surface by the reporting rule. Its level is not always the last one.
  * @typedef {{type: 'measured', run: number, evaluations: number, level: number, energies: Energies}} Measured
@@ -140,7 +147,7 @@
  *
  * `input`: something is wrong with the user's file or options. `internal`: the worker can no longer be used.
  * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
- * @typedef {Started | Opened | Surfaced | Recalled | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved |
+ * @typedef {Started | Opened | Surfaced | Searched | Recalled | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved |
  *   Exported | CertificateAdvanced | Certified | CertificateAbandoned | Descended | Ponged | Failed} Message
  */
 
@@ -170,9 +177,11 @@ export function transferables(message) {
   let views = [];
   if (message.type === 'surfaced') {
     views = [message.limit, message.control].flatMap((mesh) => Object.values(mesh));
-    if (message.deviations) views.push(message.deviations);
+    if (message.computed) views.push(message.computed.values);
   } else if (message.type === 'recalled') {
     views = [message.limit, message.cage].flatMap((mesh) => Object.values(mesh));
+  } else if (message.type === 'searched') {
+    views = [message.crossings.segments];
   } else if (message.type === 'stepped') {
     views = [message.samples];
   } else if (message.type === 'saved' || message.type === 'descended') {

@@ -14,6 +14,7 @@ import { createTelling } from './telling.js';
 
 /** @import {Cage, Minimizer, parseReport} from '../../wasm/umbilic.js' */
 /** @import {Targets} from '../../wasm/types.js' */
+/** @import {Wish} from './computed.js' */
 /** @import {Command, Export, Message, Open} from './protocol.js' */
 
 /**
@@ -42,6 +43,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   let startable = false;
   /** Those that have arrived since the last step. @type {Targets | null} */
   let targets = null;
+  /** Whether a surface at rest is about to be sent with what is computed of it. */
+  let computing = false;
   /** @param {() => void} task fails as the work of the run that is open then */
   const later = (task) => yieldThen(() => guard(run, task));
   const pacing = createPacing({ yieldThen: later, now });
@@ -69,7 +72,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     startable = !coarse;
     const message = openedMessage(core, run, command.problem, opened);
     const constrained = message.cage.boundaries.length > 0 || Object.keys(opened.problem.constraints).length > 0;
-    telling.begin(run, opened, { constrained, deviation: command.deviation ?? false });
+    telling.begin(run, opened, { constrained, wish: command.wish ?? null });
     post(message);
     yieldThen(() => guard(command.run, () => introduce(command.run)));
     if (command.then) go(command.then === 'run' ? 'running' : 'stepping');
@@ -166,6 +169,17 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     tellRest();
   }
 
+  /** What is asked for last counts, as weights may follow a hand. @param {Wish | null} wish */
+  function compute(wish) {
+    telling.wishFor(wish);
+    if (computing) return;
+    computing = true;
+    later(() => {
+      computing = false;
+      if (pacing.pace === 'resting') telling.again();
+    });
+  }
+
   /** @param {Export} command */
   function send({ what, options = {} }) {
     const about = { patches: telling.patches, certificate: certification.ready };
@@ -176,7 +190,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   function obey(command) {
     if (command.type === 'ping') return post({ type: 'ponged' });
     if (command.type === 'open') return open(command);
-    if (command.type === 'deviate') return telling.deviate(command.on, pacing.pace === 'resting');
+    if (command.type === 'compute') return compute(command.wish);
     if (command.run > run) return; // the run did not open
     if (command.run < run) {
       if (command.type === 'optimize' || command.type === 'step')
@@ -186,6 +200,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     switch (command.type) {
       case 'detail':
         return introduce(run);
+      case 'search':
+        return pacing.pace === 'resting' ? telling.crossings() : undefined;
       case 'recall':
         return telling.recall();
       case 'expect':

@@ -3,12 +3,14 @@
  * @file What the page is told of a run, and when: surfaces, copies for safe keeping, energies, steps and levels, none of
  * them twice, and no more often than the page can show.
  */
+import { crossingsOf } from './crossings.js';
 import { MOVING_QUADS, RESTING_QUADS, densityFor } from './density.js';
 import { Occasion } from './occasion.js';
 import { createSurfacing } from './surfacing.js';
 
 /** @import {Cage, Minimizer, parseReport} from '../../wasm/umbilic.js' */
 /** @import {Mesh} from '../../wasm/types.js' */
+/** @import {Wish} from './computed.js' */
 /** @import {Message} from './protocol.js' */
 
 /** Milliseconds between two meshes, and between two messages about steps. */
@@ -41,7 +43,8 @@ const facesOf = (coarsest) => coarsest.triangles.length / 6;
 
 /**
  * @param {object} surroundings
- * @param {{Cage: typeof Cage, Minimizer: typeof Minimizer, parseReport: typeof parseReport}} surroundings.core
+ * @param {{Cage: typeof Cage, Minimizer: typeof Minimizer, InputError: new (message: string) => Error,
+ *   parseReport: typeof parseReport}} surroundings.core
  * @param {(message: Message) => void} surroundings.post
  * @param {() => number} surroundings.now milliseconds
  */
@@ -159,8 +162,8 @@ export function createTelling({ core, post, now }) {
      * Begins to tell of another run.
      * @param {number} number of the run
      * @param {Minimizer} opened
-     * @param {{constrained: boolean, deviation: boolean}} about whether it has a report of constraints, and whether
-     *   deviations are shown
+     * @param {{constrained: boolean, wish: Wish | null}} about whether it has a report of constraints, and what is to
+     *   be computed of its surfaces
      */
     begin(number, opened, about) {
       run = number;
@@ -168,7 +171,7 @@ export function createTelling({ core, post, now }) {
       ({ constrained } = about);
       told = nothingTold();
       samples = [];
-      surfacing.begin(about.deviation);
+      surfacing.begin(about.wish);
       occasions.surface.postpone();
     },
 
@@ -212,13 +215,21 @@ export function createTelling({ core, post, now }) {
       constraints();
     },
 
-    /** @param {boolean} on whether the distances from the cage's own surface are told from now on @param {boolean} resting */
-    deviate(on, resting) {
-      surfacing.deviate(on);
-      if (on && minimizer && resting && told.surface.level >= 0) surface(RESTING_QUADS);
+    /** @param {Wish | null} wish what is computed of surfaces from now on */
+    wishFor: (wish) => surfacing.wishFor(wish),
+
+    /** Tells the surface at rest again. */
+    again() {
+      if (minimizer && told.surface.level >= 0) surface(RESTING_QUADS);
     },
 
     patches,
+
+    /** Tells where the surface at rest crosses itself. */
+    crossings() {
+      const crossings = crossingsOf(current().limitMesh(densityFor(patches(), RESTING_QUADS)));
+      post({ type: 'searched', run, evaluations: current().progress.total_evaluations, crossings });
+    },
 
     /** Tells the surface and the cage that the run began from. */
     recall: () =>

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "cage/generate.h"
 #include "driver/run.h"
@@ -60,13 +61,15 @@ TEST(LimitMesh, moved_by_the_symmetry_group_is_that_of_all_patches) {
       const RefinedCage cage = *refine_to_evaluable(*generate_cage(name), 1, true);
       ASSERT_GT(cage.symmetry.order, 4);
       const PatchLayout orbits(cage.mesh, cap, face_orbits(cage.mesh, cage.symmetry)), all(cage.mesh, cap);
-      const LimitMesh moved = tessellate(cage.mesh, cage.symmetry, orbits, cage.control, 3);
-      const LimitMesh plain = tessellate(cage.mesh, {}, all, cage.control, 3);
+      const EnergyDensity energy{*weights_of("bending"), 1};
+      const LimitMesh moved = tessellate(cage.mesh, cage.symmetry, orbits, cage.control, 3, energy);
+      const LimitMesh plain = tessellate(cage.mesh, {}, all, cage.control, 3, energy);
       const double extent = plain.positions.cwiseAbs().maxCoeff(), curvature = plain.curvatures.cwiseAbs().maxCoeff();
       EXPECT_LT((moved.positions - plain.positions).cwiseAbs().maxCoeff(), 1e-13 * extent) << name;
       // Near extraordinary vertices derivatives lose digits to refinement.
       EXPECT_LT((moved.normals - plain.normals).cwiseAbs().maxCoeff(), 1e-11) << name;
       EXPECT_LT((moved.curvatures - plain.curvatures).cwiseAbs().maxCoeff(), 1e-9 * curvature) << name;
+      EXPECT_LT((moved.densities - plain.densities).cwiseAbs().maxCoeff(), 1e-9 * curvature * curvature) << name;
       std::set<std::array<int, 4>> quads, expected;
       for (const auto& quad : moved.quads) quads.insert(from_least(quad));
       for (const auto& quad : plain.quads) expected.insert(from_least(quad));
@@ -106,6 +109,70 @@ TEST(LimitMesh, of_a_minimized_cube_has_the_curvatures_of_a_sphere) {
     EXPECT_NEAR(mesh.curvatures(v, 1) * radius, 1, 0.15) << "vertex " << v;
     EXPECT_GE(mesh.curvatures(v, 0), mesh.curvatures(v, 1));
   }
+}
+
+/// Of the densities over the mesh's quads, as two triangles each, by the corners' mean.
+double integral(const LimitMesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c, d] : mesh.quads) {
+    for (const auto& [second, third] : {std::pair{b, c}, std::pair{c, d}}) {
+      const Vector3 one = mesh.positions.row(second) - mesh.positions.row(a);
+      const Vector3 other = mesh.positions.row(third) - mesh.positions.row(a);
+      sum += one.cross(other).norm() / 6 * (mesh.densities[a] + mesh.densities[second] + mesh.densities[third]);
+    }
+  }
+  return sum;
+}
+
+/// All orders and powers of the area, alone and blended. A surface that is far from optimal tests more than a
+/// minimizer.
+TEST(LimitMesh, has_densities_whose_integral_tends_to_the_energy_as_the_square_of_the_spacing) {
+  for (const char* terms : {"bending=1", "willmore=1", "mvs=1", "mvs_cross=1", "mehlum_tarrou=1",
+                            "curvedness_variation=1", "bending=0.9,mvs_cross=0.1,curvedness_variation=0.01"}) {
+    RunOptions options;
+    options.weights = *parse_weights(terms);
+    options.cap = CapKind::kSmooth;
+    options.first_level = options.last_level = 1;
+    const umbilic::Run run = *umbilic::Run::create(*generate_cage("two-3"), options);
+    double energy = 0;
+    for (int f = 0; f < kFunctionalCount; ++f) {
+      if (options.weights[f] != 0) energy += options.weights[f] * run.energies().functionals[f];
+    }
+    const double coarse = std::abs(integral(*run.limit_mesh(12, options.weights)) - energy);
+    const double fine = std::abs(integral(*run.limit_mesh(24, options.weights)) - energy);
+    EXPECT_LT(coarse, 0.05 * energy) << terms;
+    EXPECT_LT(fine, 0.35 * coarse) << terms << ": a quarter, but for higher powers of the spacing";
+  }
+}
+
+/// Also far away and of another size: a density is in 1/length^2 of the cage's own units.
+TEST(LimitMesh, of_a_nearly_round_sphere_has_the_bending_density_2_over_the_squared_radius) {
+  Cage cage = *generate_cage("cube");
+  cage.vertices = (40 * cage.vertices).rowwise() + Vector3(100, -200, 300).transpose().eval();
+  RunOptions options;
+  options.weights = *weights_of("bending");
+  options.last_level = 2;
+  umbilic::Run run = *umbilic::Run::create(cage, options);
+  while (!run.step(10)) {
+  }
+  const double expected = 8 * 3.14159265358979323846 / run.energies().area;  // 2 / r^2
+  const LimitMesh mesh = *run.limit_mesh(3, options.weights);
+  for (int v = 0; v < mesh.densities.size(); ++v) {
+    EXPECT_NEAR(mesh.densities[v], expected, 0.25 * expected) << "vertex " << v << ": curvatures are within 0.15";
+    EXPECT_NEAR(mesh.densities[v], mesh.curvatures.row(v).squaredNorm(), 1e-6 * expected);
+  }
+}
+
+TEST(LimitMesh, has_no_density_of_an_energy_that_is_infinite) {
+  const umbilic::Run run = started(*generate_cage("two-3"), CapKind::kNone, 1);
+  EXPECT_TRUE(run.limit_mesh(2, weights_of("bending").value()).ok());
+  const Result<LimitMesh> infinite = run.limit_mesh(2, weights_of("mvs").value());
+  ASSERT_FALSE(infinite.ok());
+  EXPECT_NE(infinite.error().message.find("mvs"), std::string::npos) << infinite.error().message;
+}
+
+TEST(LimitMesh, has_no_densities_unless_they_are_asked_for) {
+  EXPECT_EQ(started(*generate_cage("cube"), CapKind::kSmooth, 1).limit_mesh(2)->densities.size(), 0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@ import { createEffects } from '../../../web/pages/studio/effects.js';
 import { fileName } from '../../../web/pages/studio/names.js';
 import { initialState, reduce } from '../../../web/pages/studio/state/reduce.js';
 import { withDocument, withView } from '../../../web/pages/studio/state/parts.js';
+import { computedValues } from '../../../web/pages/studio/state/wish.js';
 import { answered, ended, mesh, openedMessages, resting, running } from './state.js';
 
 /** @typedef {import('../../../web/pages/studio/state/types.js').Action} Action */
@@ -64,14 +65,29 @@ describe('the worker is told', () => {
     const shade = (/** @type {import('../../../web/colour/quantities.js').Shading} */ shading) =>
       /** @type {Action} */ ({ type: 'viewChanged', change: { shading } });
     const shown = run(resting(), shade('gaussian'), shade('deviation'), shade('deviation'));
-    expect(sent).toEqual([{ type: 'deviate', on: true }]);
+    expect(sent).toEqual([{ type: 'compute', wish: { of: 'deviation' } }]);
     sent = [];
     const opening = run(shown, { type: 'generatorChanged', change: { name: 'cube' } });
-    expect(sent).toMatchObject([{ type: 'open', deviation: true }]);
+    expect(sent).toMatchObject([{ type: 'open', wish: { of: 'deviation' } }]);
     run(opening, shade('plain'));
-    expect(sent.at(-1)).toEqual({ type: 'deviate', on: false });
+    expect(sent.at(-1)).toEqual({ type: 'compute', wish: null });
     run(resting(), { type: 'generatorChanged', change: { name: 'cube' } });
-    expect(sent.at(-1)).not.toHaveProperty('deviation');
+    expect(sent.at(-1)).not.toHaveProperty('wish');
+  });
+
+  test('of which energy the density is shown, whenever another one is chosen', () => {
+    const shown = run(ended(), { type: 'viewChanged', change: { shading: 'energy' } });
+    run(shown, { type: 'settingsChanged', change: { functional: 'bending' } });
+    expect(sent).toEqual([
+      { type: 'compute', wish: { of: 'energy', terms: { mvs_cross: 1 } } },
+      { type: 'compute', wish: { of: 'energy', terms: { bending: 1 } } },
+    ]);
+    // Until the worker has answered, the surface has the values of something else.
+    const values = Float32Array.of(1);
+    const old = { wish: /** @type {any} */ (sent[0].wish), values };
+    const late = withView(shown, { surface: { .../** @type {any} */ (shown.view.surface), computed: old } });
+    expect(computedValues(late)).toBe(values);
+    expect(computedValues(run(late, { type: 'settingsChanged', change: { functional: 'bending' } }))).toBeNull();
   });
 
   test('once in each run to say where it began, when that is shown', () => {

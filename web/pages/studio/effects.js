@@ -7,8 +7,10 @@ import { formatStudioAddress } from '../../address/studio.js';
 import { fileName, typeOf } from './names.js';
 import { historyCsv } from './history_csv.js';
 import { addressOf } from './state/address.js';
+import { wantsSearch } from './state/crossing.js';
 import { askedOf, certifyingOf } from './state/parts.js';
 import { problemOf } from './state/settings.js';
+import { sameWish, wishOf } from './state/wish.js';
 
 /** @import {EntryName} from '../../address/compare.js' */
 /** @import {Action, DownloadOptions, State} from './state/types.js' */
@@ -29,6 +31,10 @@ function onceEach(work) {
   };
 }
 
+/** Whether a run has been asked for. @param {State | null} before @param {State} after */
+const opensAnother = (before, { session: { opening } }) =>
+  opening !== null && opening.run !== before?.session.opening?.run;
+
 /**
  * @param {object} surroundings
  * @param {Pick<Client, 'send' | 'abandon' | 'restart'>} surroundings.client
@@ -46,13 +52,20 @@ export function createEffects({ client, save, takePicture, load, setAddress }) {
   function open(before, after) {
     const { opening } = after.session;
     if (!opening) return;
-    const isNew = opening.run !== before?.session.opening?.run;
+    const isNew = opensAnother(before, after);
     const { run, source, settings, start, purpose, then } = opening;
     const goesOn = then !== 'hold' && { then };
     if (isNew) {
       const look = purpose === 'entry' && { look: true };
-      const deviation = after.view.shading === 'deviation' && { deviation: true };
-      client.send({ type: 'open', run, problem: problemOf(source, settings, start), ...look, ...goesOn, ...deviation });
+      const wish = wishOf(after);
+      client.send({
+        type: 'open',
+        run,
+        problem: problemOf(source, settings, start),
+        ...look,
+        ...goesOn,
+        ...(wish && { wish }),
+      });
     } else if (goesOn && then !== before?.session.opening?.then) {
       client.send({ type: then === 'run' ? 'optimize' : 'step', run });
     }
@@ -74,15 +87,28 @@ export function createEffects({ client, save, takePicture, load, setAddress }) {
     client.send({ type: 'recall', run });
   }
 
+  /** The surface that is searched or has been. @type {State['view']['surface']} */
+  let searched = null;
+  /** Asks once for each surface where it crosses itself, when that is to be known. @param {State} after */
+  function search(after) {
+    if (!wantsSearch(after) || searched === after.view.surface) return;
+    searched = after.view.surface;
+    client.send({ type: 'search', run: after.session.run });
+  }
+
   return (action, before, after) => {
     const tried = action?.type === 'retryPressed';
     if (tried && before?.session.phase.name === 'unavailable') client.restart();
     open(before, after);
     recall(after);
+    search(after);
     follow(formatStudioAddress(addressOf(after)));
     const { run, wanted } = after.session;
     if (wanted && (tried || wanted !== before?.session.wanted)) load(wanted);
     if (!action || !before) return;
+    if (!opensAnother(before, after) && !sameWish(wishOf(before), wishOf(after))) {
+      client.send({ type: 'compute', wish: wishOf(after) });
+    }
     const { targets } = after.session;
     if (targets && targets !== before.session.targets) client.send({ type: 'retarget', run, targets });
     const [was, is] = [before.session.phase, after.session.phase];
@@ -111,11 +137,6 @@ export function createEffects({ client, save, takePicture, load, setAddress }) {
           client.send({ type: 'abandonCertificate', run });
         }
         break;
-      case 'viewChanged': {
-        const [off, on] = [before, after].map(({ view }) => view.shading === 'deviation');
-        if (on !== off) client.send({ type: 'deviate', on });
-        break;
-      }
       case 'downloadPressed':
         download(after, action);
         break;

@@ -54,6 +54,11 @@ function afterRunMessage(state, message) {
       const { run, limit, density, cage } = message;
       return withView(state, { start: { run, limit, density, cage } });
     }
+    case 'searched': {
+      const { surface } = state.view;
+      if (!surface || surface.evaluations !== evaluations) return state;
+      return withView(state, { surface: { ...surface, crossings: message.crossings } });
+    }
     case 'measured': {
       const { energies, level } = message;
       const kept = known && result.latest?.evaluations === evaluations ? result.latest : null;
@@ -125,11 +130,11 @@ const withoutCertifying = (state) =>
 /** @param {State} state @param {Surfaced} message @param {number} evaluations @returns {State} */
 function afterSurfaced(state, message, evaluations) {
   const { surface, fits, fitDue } = state.view;
-  const { density, patches, deviations = null, coarse = false } = message;
+  const { density, patches, computed = null, coarse = false } = message;
   const limit = withTopology(message.limit, surface?.limit);
   const control = withTopology(message.control, surface?.control);
   return withView(state, {
-    surface: { limit, density, control, patches, deviations, evaluations },
+    surface: { limit, density, control, patches, computed, crossings: null, evaluations },
     coarse,
     fits: fits + (fitDue ? 1 : 0),
     fitDue: false,

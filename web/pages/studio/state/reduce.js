@@ -2,6 +2,7 @@
 /**
  * @file The studio's initial state and reducer. Pure; sending and saving are in effects.js.
  */
+import { firstSection } from './section.js';
 import { parseStudioAddress } from '../../../address/studio.js';
 import { whatIsAsked } from './address.js';
 import { afterAnswer } from './answers.js';
@@ -68,6 +69,9 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       original: false,
       patches: false,
       isolines: false,
+      crossings: false,
+      section: firstSection,
+      printing: false,
       pinned: null,
       camera: address.camera,
       returnTo: null,

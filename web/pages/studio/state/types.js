@@ -10,6 +10,9 @@
 /** @import {EntryName} from '../../../address/compare.js' */
 /** @import {Shading} from '../../../colour/quantities.js' */
 /** @import {CatalogEntry} from '../../../files/catalog.js' */
+/** @import {ComputedValues} from '../../../worker/computed.js' */
+/** @import {Crossings} from '../../../worker/crossings.js' */
+/** @import {Section} from './section.js' */
 /** @import {Exportable, ExportOptions, Message} from '../../../worker/protocol.js' */
 /** @import {Loss} from '../../../worker/client.js' */
 
@@ -83,9 +86,10 @@
 
 /**
  * The surface on the screen. `density` counts the quads along each edge of a patch of its limit mesh, and `patches` has its
- * evaluated mesh. `deviations` has the distance of each vertex of the limit mesh from the cage's own surface; null unless it is
- * shown.
- * @typedef {{limit: Mesh, density: number, control: Mesh, patches: number, deviations: Float32Array | null, evaluations: number}} Surface
+ * evaluated mesh. `computed` has a value of each vertex of the limit mesh, if the shading needs one; see worker/computed.js.
+ * `crossings` are those of the limit mesh, once they are known.
+ * @typedef {{limit: Mesh, density: number, control: Mesh, patches: number, computed: ComputedValues | null, crossings: Crossings | null,
+ *   evaluations: number}} Surface
  */
 
 /** Where a run began: the limit mesh of the cage's own surface, and the cage. @typedef {{run: number, limit: Mesh, density: number, cage: Mesh}} Start */
@@ -175,6 +179,9 @@
  * @property {boolean} original whether the cage is shown that the surface began from
  * @property {boolean} patches whether the edges of the patches are shown
  * @property {{shading: Shading, low: number, high: number} | null} pinned the range of the colours of one shading, if it is to stay
+ * @property {boolean} crossings whether the curves are shown in which the surface crosses itself
+ * @property {Section} section the plane that cuts the surface
+ * @property {boolean} printing whether a file for printing is about to be saved
  * @property {boolean} isolines whether the quantity that colours the surface has isolines
  * @property {Camera} camera
  * @property {Camera | null} returnTo the camera before it looked along an axis; null once it was turned otherwise

@@ -3,7 +3,10 @@
  * @file The downloads: what is saved, the options that it has, how large it will be, and one button.
  */
 import { element, find, onPress, setEnabled, setText, whenChanged } from '../../../views/dom.js';
+import { crossingsWords } from '../../../words/crossings.js';
 import { fileSize, integer } from '../../../words/numbers.js';
+import { crossingsKnown } from '../state/crossing.js';
+import { wishOf } from '../state/wish.js';
 import { canSave, choiceOf, downloadGroups, finenesses, sizeOf, usualFineness } from '../downloads.js';
 
 /** @import {Range} from '../../../colour/range.js' */
@@ -35,7 +38,8 @@ export function createDownloadsView(root, dispatch, picture) {
     'background',
   ].map(select);
   const extent = /** @type {HTMLInputElement} */ (find(root, 'input[name=extent]'));
-  const words = find(root, '.note');
+  const words = find(root, '#download-words');
+  const printing = find(root, '#printing');
   const problem = find(root, '.problem');
   const save = /** @type {HTMLButtonElement} */ (find(root, '[name=save]'));
   what.append(
@@ -78,7 +82,9 @@ export function createDownloadsView(root, dispatch, picture) {
         up: state.document.cage?.source.kind === 'generated' ? 'z' : 'y',
         name: state.document.cage?.name ?? '',
       }),
-      ...(coloured && { colouring: { shading: state.view.shading, low: coloured.low, high: coloured.high } }),
+      ...(coloured && {
+        colouring: { shading: state.view.shading, low: coloured.low, high: coloured.high, wish: wishOf(state) },
+      }),
       ...(has.has('picture') && { size: pictureSize(), background: background.value === 'page' }),
     };
   }
@@ -102,9 +108,20 @@ export function createDownloadsView(root, dispatch, picture) {
     const counts = surface && { patches: surface.patches, vertices: surface.control.positions.length / 3 };
     const bytes = counts && wanted && sizeOf(choice.what, wanted, counts);
     setText(words, bytes ? `${choice.words} About ${fileSize(bytes)}.` : choice.words);
+    tellPrinting(shown);
     setText(problem, wanted ? '' : 'The longest side is a number above 0.');
     setEnabled(save, wanted !== null && canSave(shown, choice.what));
     save.setAttribute('aria-busy', String(shown.session.exporting));
+  }
+
+  /** Says of a file for printing whether its surface can be printed. @param {State} state */
+  function tellPrinting(state) {
+    const prints = chosenWhat() === 'stl';
+    printing.hidden = !prints;
+    setText(printing, prints ? crossingsWords(crossingsKnown(state)) : '');
+    if (prints !== state.view.printing) {
+      queueMicrotask(() => dispatch({ type: 'viewChanged', change: { printing: prints } }));
+    }
   }
 
   root.addEventListener(

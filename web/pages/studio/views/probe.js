@@ -6,6 +6,7 @@
 import { element, find, setText } from '../../../views/dom.js';
 import { readingWords } from '../../../words/reading.js';
 
+/** @import {Computed} from '../../../colour/quantities.js' */
 /** @import {Reading} from '../../../scene/reading.js' */
 
 /** The middle of the picture. @type {[number, number]} */
@@ -16,9 +17,10 @@ const MIDDLE = [0.5, 0.5];
  * @param {HTMLCanvasElement} canvas
  * @param {object} surroundings
  * @param {(x: number, y: number) => Reading | null} surroundings.read at a fraction of the canvas
+ * @param {() => Computed | null} surroundings.computed what is computed at each point
  * @param {(reading: Reading | null) => void} surroundings.pointed
  */
-export function createProbe(root, canvas, { read, pointed }) {
+export function createProbe(root, canvas, { read, computed, pointed }) {
   const listening = new AbortController();
   const { signal } = listening;
   const line = find(root, '#reading');
@@ -38,7 +40,9 @@ export function createProbe(root, canvas, { read, pointed }) {
     // Who asks by key is told; what the pointer passes is not read out.
     line.setAttribute('aria-live', middle && !pointer ? 'polite' : 'off');
     line.hidden = !reading && !(middle && !pointer);
-    const words = reading ? readingWords(reading) : { curvatures: 'There is no surface in the middle.', place: '' };
+    const words = reading
+      ? readingWords(reading, computed())
+      : { curvatures: 'There is no surface in the middle.', place: '' };
     setText(curvatures, words.curvatures);
     setText(place, words.place);
     cross.hidden = !middle || pointer !== null;

@@ -13,6 +13,7 @@ const SWITCHES = /** @type {const} */ ({
   'show-patches': 'patches',
   'show-cage': 'cage',
   'show-original': 'original',
+  'show-crossings': 'crossings',
 });
 
 /**

@@ -2,11 +2,12 @@
 /**
  * @file The picture of the surface: passes meshes and colours to the scene, and reports the camera.
  */
-import { patternOf, quantityOf } from '../../../colour/quantities.js';
+import { computedOf, patternOf, quantityOf } from '../../../colour/quantities.js';
 import { drawing } from '../../../scene/drawing.js';
 import { createScene } from '../../../scene/scene.js';
 import { heldWithCopies, shownHeld } from '../state/hold.js';
 import { cageOnScreen } from '../state/taken.js';
+import { computedValues } from '../state/wish.js';
 import { createBoundaryEdges } from './boundary_edges.js';
 import { listenToBrush } from './brush.js';
 import { cameraKeys } from './camera.js';
@@ -16,10 +17,12 @@ import { find, whenChanged } from '../../../views/dom.js';
 import { listenToKeys } from '../../../views/keys.js';
 
 /** @import {Camera, Projection} from '../../../address/camera.js' */
-/** @import {Pattern, Quantity} from '../../../colour/quantities.js' */
+/** @import {Computed, Pattern, Quantity} from '../../../colour/quantities.js' */
 /** @import {Range} from '../../../colour/range.js' */
 /** @import {Reading} from '../../../scene/reading.js' */
+/** @import {CutFound} from '../../../scene/section_lines.js' */
 /** @import {Constraints, Mesh} from '../../../../wasm/types.js' */
+/** @import {Section} from '../state/section.js' */
 /** @import {Action, CageFaces, Document, OpenCage, Pointer, State, Surface, TakenCage} from '../state/types.js' */
 
 /**
@@ -57,8 +60,9 @@ function handledPin({ settings, result }, { positions, centre }, index) {
  * @param {HTMLElement} root
  * @param {(action: Action) => void} dispatch
  * @param {(reading: Reading | null) => void} pointed called with the values of the point that is pointed at
+ * @param {(cut: CutFound | null) => void} [found] called with what the section has cut
  */
-export function createSurfaceView(root, dispatch, pointed) {
+export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
   const canvas = /** @type {HTMLCanvasElement} */ (find(root, 'canvas'));
   const listening = new AbortController();
   const { signal } = listening;
@@ -95,7 +99,13 @@ export function createSurfaceView(root, dispatch, pointed) {
   canvas.addEventListener('webglcontextlost', () => undrawn.tell('lost'), { signal });
   canvas.addEventListener('webglcontextrestored', () => undrawn.tell(null), { signal });
 
-  const probe = createProbe(root, canvas, { read: (x, y) => scene?.reading(x, y) ?? null, pointed });
+  /** What is computed at each point of the surface on the screen. @type {Computed | null} */
+  let computed = null;
+  const probe = createProbe(root, canvas, {
+    read: (x, y) => scene?.reading(x, y) ?? null,
+    computed: () => computed,
+    pointed,
+  });
   /** @type {Projection} */
   let projection = 'perspective';
   const letGo = () => dispatch({ type: 'viewChanged', change: { pin: null } });
@@ -123,8 +133,8 @@ export function createSurfaceView(root, dispatch, pointed) {
     scene?.setPins((asked[0].pins ?? []).map(({ vertex }) => (vertex ?? 0) - 1));
   });
   const setSurface = whenChanged(
-    (/** @type {Mesh} */ mesh, /** @type {Float32Array | null} */ deviations, /** @type {Mesh} */ like) =>
-      scene?.setSurface(mesh, deviations, like),
+    (/** @type {Mesh} */ mesh, /** @type {Float32Array | null} */ values, /** @type {Mesh} */ like) =>
+      scene?.setSurface(mesh, values, like),
   );
   const setHandle = whenChanged(
     (/** @type {number | null} */ index, /** @type {Document} */ document, /** @type {Surface} */ { limit }) => {
@@ -143,6 +153,10 @@ export function createSurfaceView(root, dispatch, pointed) {
       /** @type {Mesh} */ mesh,
     ) => scene?.setMarked(boundaryEdges(boundary, cage, taken, mesh)),
   );
+  const setSection = whenChanged((/** @type {Section} */ { shown: isShown, ...cut }, /** @type {Mesh} */ _) => {
+    found(scene?.setSection(isShown ? cut : null) ?? null);
+  });
+  const setCrossings = whenChanged((/** @type {Float32Array | null} */ segments) => scene?.setCrossings(segments));
   const awaitPicture = whenChanged((/** @type {Surface} */ surface, /** @type {boolean} */ coarse) => {
     awaited = coarse;
     if (!scene) queueMicrotask(drawn);
@@ -193,10 +207,15 @@ export function createSurfaceView(root, dispatch, pointed) {
       vertices = document.cage?.counts.vertices ?? 0;
       canvas.dataset.pointer = pointer;
       setHeld(document.settings.constraints, cageOnScreen(document), heldWithCopies(document));
-      const { limit, density, deviations } = view.before && start ? { ...start, deviations: null } : view.surface;
-      setSurface(limit, deviations, staysInPlace(document) ? view.surface.limit : limit);
+      const { limit, density } = view.before && start ? start : view.surface;
+      const values = limit === view.surface.limit ? computedValues(state) : null;
+      computed = values && computedOf(view.shading);
+      setSurface(limit, values, staysInPlace(document) ? view.surface.limit : limit);
       setHandle(view.pin, document, view.surface);
       setMarked(view.boundary, document.cage, document.result.taken, limit);
+      const crossings = view.crossings && limit === view.surface.limit ? view.surface.crossings : null;
+      setSection(view.section, limit);
+      setCrossings(crossings?.segments ?? null);
       awaitPicture(view.surface, view.coarse);
       const control = view.cage && limit === view.surface.limit ? view.surface.control : null;
       setLines(limit, density, control, view.original ? (start?.cage ?? null) : null, view.patches);
