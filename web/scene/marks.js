@@ -35,7 +35,7 @@ function dotsAlong(surface, edges) {
 }
 
 /** Draws dots as discs. @param {Material} material */
-function asDiscs(material) {
+export function asDiscs(material) {
   material.onBeforeCompile = (shader) => {
     shader.fragmentShader = shader.fragmentShader.replace(
       '#include <color_fragment>',

@@ -5,6 +5,7 @@
 import { BufferGeometry, Mesh, Scene } from 'three';
 import { extent, setDeviations, setParts, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
+import { createEdited } from './edited.js';
 import { createHandle } from './handle.js';
 import { createMarks } from './marks.js';
 import { createSurfaceMaterial } from './material.js';
@@ -47,7 +48,8 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
   const pointing = createPointing(surface, orbit.lens);
   const stand = createStand();
   const marks = createMarks();
-  stand.model.add(surface, overlays.group, marks.group);
+  const edited = createEdited(canvas, orbit.lens);
+  stand.model.add(surface, overlays.group, marks.group, edited.group);
   scene.add(stand.object);
   const handle = createHandle(
     canvas,
@@ -148,6 +150,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       // A surface that moved under the hand would take the handle along.
       if (!handle.isHeld()) stand.centre({ centre: [x, y, z], radius });
       overlays.move(mesh.centre);
+      edited.move(mesh.centre);
       surface.visible = true;
       requestRender();
     },
@@ -206,6 +209,16 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       return distances[nearest] <= most ? nearest : -1;
     },
 
+    /** Shows the cage that is edited, or hides it. @param {Parameters<typeof edited.set>[0]} cage */
+    setEdited(cage) {
+      edited.set(cage);
+      requestRender();
+    },
+
+    /** What of the cage that is edited is under a point of the picture, or in a box of it; see edited.js. */
+    editedAt: edited.at,
+    editedInBox: edited.inBox,
+
     /** What is under a point of the picture; see pointing.js. */
     cell: pointing.cell,
     reading: pointing.reading,
@@ -233,6 +246,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
     setColours(line, accent) {
       marks.setColours(line, accent);
       overlays.setColours(line, accent);
+      edited.setColours(line, accent);
       handle.setColours(line, accent);
       requestRender();
     },
@@ -248,6 +262,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       overlays.dispose();
       surfaceMaterial.dispose();
       marks.dispose();
+      edited.dispose();
     },
   };
 }

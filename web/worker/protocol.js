@@ -56,9 +56,12 @@
  * Asks for the surface and the cage that a run began from. Answers `recalled`.
  * @typedef {{type: 'recall', run: number}} Recall
  *
+ * Asks for the cage as it was given, before its boundaries were filled. Answers `cageTold`.
+ * @typedef {{type: 'tellCage', run: number}} TellCage
+ *
  * Asks for the answer `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Deviate | Recall | Ping} Command
+ * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Deviate | Recall | TellCage | Ping} Command
  */
 
 /**
@@ -105,6 +108,9 @@
  * The limit mesh of the cage's own surface at the run's level, and the cage as it was given.
  * @typedef {{type: 'recalled', run: number, limit: Mesh, density: number, cage: Mesh}} Recalled
  *
+ * The cage as OBJ text with all digits, its vertices and faces numbered as in the answer `opened`.
+ * @typedef {{type: 'cageTold', run: number, obj: string}} CageTold
+ *
  * Energies of the surface by the reporting rule. Its level is not always the last one.
  * @typedef {{type: 'measured', run: number, evaluations: number, level: number, energies: Energies}} Measured
  *
@@ -140,7 +146,7 @@
  *
  * `input`: something is wrong with the user's file or options. `internal`: the worker can no longer be used.
  * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
- * @typedef {Started | Opened | Surfaced | Recalled | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved |
+ * @typedef {Started | Opened | Surfaced | Recalled | CageTold | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved |
  *   Exported | CertificateAdvanced | Certified | CertificateAbandoned | Descended | Ponged | Failed} Message
  */
 

@@ -6,7 +6,7 @@
  */
 import { createCertification } from './certification.js';
 import { MOVING_QUADS } from './density.js';
-import { exported } from './exporting.js';
+import { cageObj, exported } from './exporting.js';
 import { openedMessage } from './opened.js';
 import { createPacing } from './pacing.js';
 import { createPreparing } from './preparing.js';
@@ -188,6 +188,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
         return introduce(run);
       case 'recall':
         return telling.recall();
+      case 'tellCage':
+        return post({ type: 'cageTold', run, obj: cageObj(core, current()) });
       case 'expect':
         return preparing.expect(command.problem);
       case 'optimize':

@@ -2,6 +2,7 @@
 /** @file Cages for the tests of edits, and what is known of them in closed form. */
 import { edgeName, edgesOf, problemOfCage } from '../../../web/cage/polygons.js';
 
+/** @import {Mesh} from '../../../wasm/types.js' */
 /** @import {Edited, Point, PolygonCage, Refused} from '../../../web/cage/polygons.js' */
 
 /**
@@ -85,3 +86,43 @@ export function done(made) {
 
 /** @param {Edited | PolygonCage | Refused | null} made @returns {string} the sentence of a refusal */
 export const refusal = (made) => (made && 'refused' in made ? made.refused : 'it was not refused');
+
+/** The corners of the polygon that triangles cover: the cycle of the edges that only one of them has. @param {number[]} corners 3 of each */
+function outline(corners) {
+  /** @type {Map<string, [number, number]>} */
+  const edges = new Map();
+  corners.forEach((from, i) => {
+    const to = corners[i % 3 === 2 ? i - 2 : i + 1];
+    if (!edges.delete(edgeName(to, from))) edges.set(edgeName(from, to), [from, to]);
+  });
+  const next = new Map(edges.values());
+  const face = [];
+  for (let at = corners[0]; next.has(at);) {
+    face.push(at);
+    const to = /** @type {number} */ (next.get(at));
+    next.delete(at);
+    at = to;
+  }
+  return face;
+}
+
+/**
+ * The cage that a mesh of the core stands for, which is to be that of its text.
+ * @param {Pick<Mesh, 'centre' | 'positions' | 'triangles' | 'faces'>} mesh of a cage, each face a fan of triangles
+ * @returns {PolygonCage}
+ */
+export function cageOfMesh({ centre, positions, triangles, faces: owners }) {
+  /** @type {Point[]} */
+  const points = [];
+  for (let i = 0; i < positions.length; i += 3) {
+    points.push([positions[i] + centre[0], positions[i + 1] + centre[1], positions[i + 2] + centre[2]]);
+  }
+  /** @type {number[][]} */
+  const corners = [];
+  owners.forEach((face, t) => (corners[face] ??= []).push(...triangles.subarray(3 * t, 3 * t + 3)));
+  const faces = Array.from(corners, (own) => outline(own ?? []));
+  const cage = { points, faces, groups: [] };
+  const problem = problemOfCage(cage);
+  if (problem) throw new Error(problem);
+  return cage;
+}

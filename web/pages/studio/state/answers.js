@@ -4,6 +4,7 @@
  * nothing.
  */
 import { SAMPLE_SIZE, withTopology } from '../../../worker/protocol.js';
+import { afterCageTold } from './editing.js';
 import { afterRetargeted } from './following.js';
 import { afterFailed, afterOpened } from './opened.js';
 import { keptOf } from './hold.js';
@@ -54,6 +55,8 @@ function afterRunMessage(state, message) {
       const { run, limit, density, cage } = message;
       return withView(state, { start: { run, limit, density, cage } });
     }
+    case 'cageTold':
+      return afterCageTold(state, message.obj);
     case 'measured': {
       const { energies, level } = message;
       const kept = known && result.latest?.evaluations === evaluations ? result.latest : null;
