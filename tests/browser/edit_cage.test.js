@@ -4,7 +4,18 @@ import path from 'node:path';
 import { expect, test } from '@jest/globals';
 import { formatObj } from '../../web/cage/obj.js';
 import { box, faceAt, pointAt } from '../web/cage/cages.js';
-import { allPixels, downloadedText, drawn, dropFile, measured, openAddress, screenshots, settled } from './page.js';
+import {
+  allPixels,
+  downloadedText,
+  drawn,
+  dropFile,
+  measured,
+  minimized,
+  openAddress,
+  screenshots,
+  settled,
+  status,
+} from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -207,7 +218,10 @@ test('by keyboard alone a vertex is moved to a place, a face is extruded, a stri
 test('a generated shape becomes a text of its own, what is held follows, and a run is left alone', async () => {
   const { page, errors } = await openAddress(served.browser, `${served.url}studio.html?shape=cube`, {
     reducedMotion: 'reduce',
+    ...allPixels,
   });
+  await settled(page);
+  await page.locator('[name=functional]').selectOption('bending');
   await settled(page);
   await page.getByRole('radio', { name: 'Pin', exact: true }).check();
   await page.locator('#pin-vertex input').fill('1');
@@ -228,7 +242,15 @@ test('a generated shape becomes a text of its own, what is held follows, and a r
   await page.getByRole('button', { name: 'Start', exact: true }).click();
   await said(page, /^A run goes on\. Cancel it to edit the cage\.$/);
   expect(await field(page, 'remove').isDisabled()).toBe(true);
+  await status(page, minimized, 60_000);
+  await said(page, /^Nothing is selected of 5 faces/);
+  await type(page, 'points', '2');
+  await drawn(page);
+  await page.screenshot({ path: path.join(screenshots, 'edit-after-run.png') });
+  await type(page, 'y', '-0.75');
+  await settled(page);
   await page.locator('#undo').click();
+  await status(page, minimized, 60_000);
   expect(errors).toEqual([]);
   await page.context().close();
 }, 120_000);
