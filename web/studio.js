@@ -26,6 +26,7 @@ import { createCrossingsView } from './pages/studio/views/crossings.js';
 import { createDocumentsView } from './pages/studio/views/documents.js';
 import { createDownloadsView } from './pages/studio/views/downloads.js';
 import { createDropView, createFileTaker } from './pages/studio/views/drop.js';
+import { createCageEditingView } from './pages/studio/views/cage_editing.js';
 import { createEditView } from './pages/studio/views/edit.js';
 import { createEntryView } from './pages/studio/views/entry.js';
 import { createExamplesView } from './pages/studio/views/examples.js';
@@ -180,6 +181,7 @@ const plain = [
   createCageView(byId('cage'), dispatch, takeFiles),
   createHoldView(byId('hold'), dispatch),
   createPinsView(byId('hold'), dispatch),
+  createCageEditingView(byId('hold'), dispatch),
   createBoundariesView(byId('boundaries'), dispatch),
   createClosenessView(byId('closeness'), dispatch),
   createHeldKeyView(byId('held-key')),

@@ -107,6 +107,7 @@ const layers = {
   words: [],
   colour: [],
   plot: [],
+  cage: [],
   address: ['words', 'colour'],
   files: ['words', 'address'],
   scene: ['colour', 'address'],
@@ -115,7 +116,7 @@ const layers = {
 };
 
 /** What the state of a page may import, which is pure. */
-const pure = ['words', 'colour', 'address', 'worker/protocol.js'];
+const pure = ['words', 'colour', 'cage', 'address', 'worker/protocol.js'];
 
 /**
  * What a page's own folder, pages/<page>/, may import: the common folders, including the files in pages/ itself, and the

@@ -72,6 +72,21 @@ async function hold(page) {
   await drawn(page);
 }
 
+/** Selects a part of a cage, and asks for an edit that is refused. @param {Page} page */
+async function edit(page) {
+  await measured(page);
+  await dropFile(page, 'fish.obj', fish());
+  await page.getByRole('radio', { name: 'Edit', exact: true }).check();
+  await page
+    .locator('#cage-edited')
+    .filter({ hasText: /^Nothing is selected/ })
+    .waitFor();
+  await page.locator('#cage-editing [name=faces]').fill('1-3');
+  await page.getByRole('button', { name: 'Bridge', exact: true }).click();
+  await page.locator('#cage-edited.problem').waitFor();
+  await drawn(page);
+}
+
 /** Opens a cage with two boundaries, of which one is filled and the other has a condition that is refused. @param {Page} page */
 async function fillAndRefuse(page) {
   await measured(page);
@@ -113,6 +128,7 @@ const states = [
   ],
   ['the studio with a notice', 'studio.html', breakFile],
   ['the studio with held parts', 'studio.html', hold],
+  ['the studio that edits a cage', 'studio.html', edit],
   ['the studio with boundaries', 'studio.html', fillAndRefuse],
   ['the studio after a run', 'studio.html', minimize],
   ['the studio with all details open', 'studio.html', details],

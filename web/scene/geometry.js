@@ -107,7 +107,7 @@ export function setParts(geometry, mesh, held) {
 /**
  * Sets the control cage: its edges.
  * @param {BufferGeometry} geometry
- * @param {Mesh} mesh
+ * @param {Pick<Mesh, 'positions' | 'edges'>} mesh
  */
 export function setEdges(geometry, mesh) {
   disposeIfChanged(geometry, mesh.positions.length / 3);

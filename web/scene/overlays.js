@@ -4,52 +4,12 @@
  * patches. Plain where visible; cages are faint where the surface hides them.
  */
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from 'three';
-import { setEdges } from './geometry.js';
+import { createCageLines } from './cage_lines.js';
 import { LIFT, lift } from './lift.js';
 import { patchEdges } from './patches.js';
 
 /** @import {ColorRepresentation} from 'three' */
 /** @import {Mesh} from '../../wasm/types.js' */
-
-/** A cage's edges. */
-function createCage() {
-  const geometry = new BufferGeometry();
-  const seen = new LineBasicMaterial({ transparent: true, opacity: 0.85, toneMapped: false });
-  const hidden = new LineBasicMaterial({ transparent: true, opacity: 0.16, depthTest: false, toneMapped: false });
-  const group = new Group();
-  group.add(new LineSegments(geometry, hidden), new LineSegments(geometry, seen));
-  group.visible = false;
-  /** @type {Mesh | null} */
-  let shown = null;
-  /** Of the surface, in the cage's coordinates. */
-  let origin = /** @type {Float64Array} */ (new Float64Array(3));
-
-  function place() {
-    if (!shown) return;
-    const [x, y, z] = shown.centre.map((value, axis) => value - origin[axis]);
-    group.position.set(x, y, z);
-  }
-
-  return {
-    group,
-    /** @param {Mesh | null} mesh null hides it */
-    set(mesh) {
-      group.visible = mesh !== null;
-      if (!mesh || mesh === shown) return;
-      shown = mesh;
-      setEdges(geometry, mesh);
-      place();
-    },
-    /** @param {Float64Array} next */
-    move(next) {
-      origin = next;
-      place();
-    },
-    /** @param {ColorRepresentation} colour */
-    paint: (colour) => [seen, hidden].forEach((material) => material.color.set(colour)),
-    dispose: () => [geometry, seen, hidden].forEach((one) => one.dispose()),
-  };
-}
 
 /** @param {BufferGeometry} surface whose vertices the patches have */
 function createPatches(surface) {
@@ -78,8 +38,8 @@ function createPatches(surface) {
 
 /** @param {BufferGeometry} surface */
 export function createOverlays(surface) {
-  const control = createCage();
-  const original = createCage();
+  const control = createCageLines();
+  const original = createCageLines();
   const patches = createPatches(surface);
   const group = new Group();
   group.add(control.group, original.group, patches.lines);

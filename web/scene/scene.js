@@ -5,6 +5,7 @@
 import { BufferGeometry, Mesh, Plane, Scene } from 'three';
 import { extent, setComputed, setParts, setSurface } from './geometry.js';
 import { addLights } from './lights.js';
+import { createEdited } from './edited.js';
 import { createHandle } from './handle.js';
 import { createMarks } from './marks.js';
 import { createSurfaceMaterial } from './material.js';
@@ -50,7 +51,8 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
   const stand = createStand();
   const marks = createMarks();
   const section = createSectionLines();
-  stand.model.add(surface, overlays.group, marks.group, section.group);
+  const edited = createEdited(canvas, orbit.lens);
+  stand.model.add(surface, overlays.group, marks.group, section.group, edited.group);
   scene.add(stand.object);
   const handle = createHandle(
     canvas,
@@ -165,6 +167,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       // A surface that moved under the hand would take the handle along.
       if (!handle.isHeld()) stand.centre({ centre: [x, y, z], radius });
       overlays.move(mesh.centre);
+      edited.move(mesh.centre);
       surface.visible = true;
       requestRender();
     },
@@ -243,6 +246,16 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       return distances[nearest] <= most ? nearest : -1;
     },
 
+    /** Shows the cage that is edited, or hides it. @param {Parameters<typeof edited.set>[0]} cage */
+    setEdited(cage) {
+      edited.set(cage);
+      requestRender();
+    },
+
+    /** What of the cage that is edited is under a point of the picture, or in a box of it; see edited.js. */
+    editedAt: edited.at,
+    editedInBox: edited.inBox,
+
     /** What is under a point of the picture; see pointing.js. */
     cell: pointing.cell,
     reading: pointing.reading,
@@ -271,6 +284,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       marks.setColours(line, accent);
       section.setColours(line, accent);
       overlays.setColours(line, accent);
+      edited.setColours(line, accent);
       handle.setColours(line, accent);
       requestRender();
     },
@@ -287,6 +301,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       surfaceMaterial.dispose();
       marks.dispose();
       section.dispose();
+      edited.dispose();
     },
   };
 }

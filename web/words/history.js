@@ -26,6 +26,15 @@ const editWords = {
   clear: 'free all faces',
 };
 
+const cageEditWords = {
+  move: 'move a part of the cage',
+  extrude: 'extrude faces',
+  remove: 'delete faces',
+  bridge: 'bridge',
+  split: 'split a strip',
+  mirror: 'mirror the cage',
+};
+
 /** @param {Extract<Action, {type: 'settingsChanged'}>['change']} change */
 function settingName(change) {
   const { functional } = change;
@@ -71,6 +80,8 @@ export function stepName(action) {
       return action.filled ? 'fill a boundary' : 'open a boundary';
     case 'closenessChanged':
       return 'change the closeness';
+    case 'cageEdited':
+      return cageEditWords[action.edit.kind];
     case 'startPressed':
     case 'stepPressed':
       return 'minimize';

@@ -7,7 +7,7 @@ import { compact, counted, integer, significant } from './numbers.js';
 
 /** @import {Constraints, ConstraintsReport, Energies, FaceGroup, FunctionalName, HeldBoundaryReport, HeldRegionReport, Pin, Pull} from '../../wasm/types.js' */
 
-/** What the pointer does on the surface, and how. @type {Record<'turn' | 'hold' | 'free' | 'pin', {name: string, words: string}>} */
+/** What the pointer does on the surface, and how. @type {Record<'turn' | 'hold' | 'free' | 'pin' | 'edit', {name: string, words: string}>} */
 export const pointerWords = {
   turn: { name: 'Turn', words: '' },
   hold: { name: 'Paint', words: 'Drag over the surface to hold faces; with Shift, to free them.' },
@@ -16,6 +16,11 @@ export const pointerWords = {
     name: 'Pin',
     words:
       'Click on the surface to pin the nearest vertex of the cage where it is. Drag the handle of a pin to move it.',
+  },
+  edit: {
+    name: 'Edit',
+    words:
+      'Click a face or a vertex of the cage to select it; with Shift, beside others. Drag with Shift to select vertices in a box.',
   },
 };
 

@@ -35,6 +35,16 @@ function refinedObj(core, run, steps) {
   }
 }
 
+/** The cage of a run as it was given, as OBJ text. @param {Core} core @param {Minimizer} run */
+export function cageObj(core, { problem }) {
+  const cage = new core.Cage(problem.cage);
+  try {
+    return cage.obj();
+  } finally {
+    cage.dispose();
+  }
+}
+
 /** @param {Core} core @param {Minimizer} run @param {Mesh} mesh @param {number} density of it @param {ExportOptions} options */
 function coloursFor(core, run, mesh, density, { colouring }) {
   if (!colouring) return null;

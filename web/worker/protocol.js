@@ -60,9 +60,12 @@
  * Asks for the surface and the cage that a run began from. Answers `recalled`.
  * @typedef {{type: 'recall', run: number}} Recall
  *
+ * Asks for the cage as it was given, before its boundaries were filled. Answers `cageTold`.
+ * @typedef {{type: 'tellCage', run: number}} TellCage
+ *
  * Asks for the answer `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Compute | Search | Recall | Ping} Command
+ * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Compute | Search | Recall | TellCage | Ping} Command
  */
 
 /**
@@ -112,6 +115,9 @@
  * Where the surface at rest crosses itself, in the coordinates of its limit mesh.
  * @typedef {{type: 'searched', run: number, evaluations: number, crossings: Crossings}} Searched
  *
+ * The cage as OBJ text with all digits, its vertices and faces numbered as in the answer `opened`.
+ * @typedef {{type: 'cageTold', run: number, obj: string}} CageTold
+ *
  * Energies of the surface by the reporting rule. Its level is not always the last one.
  * @typedef {{type: 'measured', run: number, evaluations: number, level: number, energies: Energies}} Measured
  *
@@ -147,7 +153,7 @@
  *
  * `input`: something is wrong with the user's file or options. `internal`: the worker can no longer be used.
  * @typedef {{type: 'failed', run: number, kind: 'input' | 'internal', message: string}} Failed
- * @typedef {Started | Opened | Surfaced | Searched | Recalled | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved |
+ * @typedef {Started | Opened | Surfaced | Searched | Recalled | CageTold | Measured | Constrained | Stepped | LevelEnded | Retargeted | Paused | Ended | Saved |
  *   Exported | CertificateAdvanced | Certified | CertificateAbandoned | Descended | Ponged | Failed} Message
  */
 

@@ -6,7 +6,7 @@
  */
 import { createCertification } from './certification.js';
 import { MOVING_QUADS } from './density.js';
-import { exported } from './exporting.js';
+import { cageObj, exported } from './exporting.js';
 import { openedMessage } from './opened.js';
 import { createPacing } from './pacing.js';
 import { createPreparing } from './preparing.js';
@@ -204,6 +204,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
         return pacing.pace === 'resting' ? telling.crossings() : undefined;
       case 'recall':
         return telling.recall();
+      case 'tellCage':
+        return post({ type: 'cageTold', run, obj: cageObj(core, current()) });
       case 'expect':
         return preparing.expect(command.problem);
       case 'optimize':

@@ -110,6 +110,18 @@ describe('a step', () => {
   });
 });
 
+test('the texts of cages count as memory too, each once', () => {
+  let state = resting();
+  for (let run = 2; run < 8; run++) {
+    const text = new Uint8Array(0.4 * MOST_BYTES);
+    state = after(state, { type: 'fileChosen', name: `${run}.obj`, text }, ...openedMessages(run));
+    state = after(state, { type: 'startPressed' }, { type: 'viewChanged', change: {} });
+    state = { ...state, session: { ...state.session, phase: { name: 'resting' } } };
+  }
+  // The first two go back to the same cage, the last one to another: 0.8 of what may be remembered.
+  expect(state.history.past.map(({ name }) => name)).toEqual(['minimize', 'open 7.obj', 'minimize']);
+});
+
 describe('undo', () => {
   test.each(
     /** @type {Array<[string, Action]>} */ ([

@@ -6,6 +6,7 @@
 import { formatStudioAddress } from '../../address/studio.js';
 import { fileName, typeOf } from './names.js';
 import { historyCsv } from './history_csv.js';
+import { needsCage } from './state/editing.js';
 import { addressOf } from './state/address.js';
 import { wantsSearch } from './state/crossing.js';
 import { askedOf, certifyingOf } from './state/parts.js';
@@ -96,12 +97,23 @@ export function createEffects({ client, save, takePicture, load, setAddress }) {
     client.send({ type: 'search', run: after.session.run });
   }
 
+  /** The run whose cage was asked for. */
+  let told = -1;
+  /** Asks once for the cage, when it is to be edited. @param {State} after */
+  function tellCage(after) {
+    const { run } = after.session;
+    if (!needsCage(after) || told === run) return;
+    told = run;
+    client.send({ type: 'tellCage', run });
+  }
+
   return (action, before, after) => {
     const tried = action?.type === 'retryPressed';
     if (tried && before?.session.phase.name === 'unavailable') client.restart();
     open(before, after);
     recall(after);
     search(after);
+    tellCage(after);
     follow(formatStudioAddress(addressOf(after)));
     const { run, wanted } = after.session;
     if (wanted && (tried || wanted !== before?.session.wanted)) load(wanted);

@@ -4,6 +4,7 @@
  * nothing.
  */
 import { SAMPLE_SIZE, withTopology } from '../../../worker/protocol.js';
+import { afterCageTold } from './editing.js';
 import { afterRetargeted } from './following.js';
 import { afterFailed, afterOpened } from './opened.js';
 import { keptOf } from './hold.js';
@@ -59,6 +60,8 @@ function afterRunMessage(state, message) {
       if (!surface || surface.evaluations !== evaluations) return state;
       return withView(state, { surface: { ...surface, crossings: message.crossings } });
     }
+    case 'cageTold':
+      return afterCageTold(state, message.obj);
     case 'measured': {
       const { energies, level } = message;
       const kept = known && result.latest?.evaluations === evaluations ? result.latest : null;

@@ -11,7 +11,7 @@ import { hasMoved, restored } from './restore.js';
 
 /** @import {Action, Asked, Document, History, State, Step} from './types.js' */
 
-/** So many steps are remembered, and so many bytes of surfaces in them; the last step always. */
+/** So many steps are remembered, and so many bytes of surfaces and cages in them; the last step always. */
 export const MOST_STEPS = 100;
 export const MOST_BYTES = 256e6;
 
@@ -26,15 +26,25 @@ const asksTheSame = (one, other) =>
   (one.settings === other.settings && one.generator === other.generator) ||
   JSON.stringify(askedIn(one)) === JSON.stringify(askedIn(other));
 
-/** @param {Step} step */
-const bytesOf = (step) => ('document' in step ? 8 * (step.document.result.saved?.state.points.length ?? 0) : 0);
+/** The bytes of surfaces in some steps, and of the texts of their cages, each counted once. @param {Step[]} steps */
+function bytesOf(steps) {
+  /** @type {Set<string | Uint8Array>} */
+  const texts = new Set();
+  let points = 0;
+  for (const step of steps) {
+    if (!('document' in step)) continue;
+    const { result, cage } = step.document;
+    points += result.saved?.state.points.length ?? 0;
+    if (cage?.source.kind === 'text') texts.add(cage.source.text);
+  }
+  return [...texts].reduce((sum, { length }) => sum + length, 8 * points);
+}
 
 /** @param {State} state @param {Step} step @returns {State} */
 function withStep(state, step) {
   const past = [...state.history.past, step].slice(-MOST_STEPS);
-  let bytes = past.reduce((sum, one) => sum + bytesOf(one), 0);
   let gone = 0;
-  while (bytes > MOST_BYTES && gone < past.length - 1) bytes -= bytesOf(past[gone++]);
+  while (gone < past.length - 1 && bytesOf(past.slice(gone)) > MOST_BYTES) gone++;
   return { ...state, history: { past: past.slice(gone), future: [] } };
 }
 

@@ -2,6 +2,7 @@
 /**
  * @file How the studio's state changes when the worker has opened what it was asked to open, or could not. Pure.
  */
+import { editingOf, withoutDrag } from './editing.js';
 import { afterEntryOpened, endedWith, openWithout } from './entry.js';
 import { keptOf, nothingKept } from './hold.js';
 import { firstGenerator, openGenerated } from './opening.js';
@@ -66,16 +67,20 @@ export function afterOpened(state, opening, message) {
  * @param {Pick<OpenCage, 'counts' | 'groups'>} cage
  * @returns {State}
  */
-function afterCageOpened(fresh, { source }, message, cage) {
+function afterCageOpened(fresh, { source, edited }, message, cage) {
   const { document, view } = fresh;
   const shown = withView(
-    withDocument(fresh, { settings: { ...document.settings, ...nothingKept, origin: 'cage' }, minimizer: null }),
+    withDocument(fresh, {
+      settings: { ...document.settings, ...(edited?.kept ?? nothingKept), origin: 'cage' },
+      minimizer: null,
+    }),
     // A notice about the address must stay visible when the first cage opens.
-    { boundary: null, pin: null, said: '', fitDue: true, alert: document.cage ? null : view.alert },
+    { boundary: null, pin: null, said: '', fitDue: !edited, alert: document.cage ? null : view.alert },
   );
   if (source.kind === 'problem') return afterFileOpened(shown, source.name, message, cage);
   const kept = source.kind === 'text' && message.text !== undefined ? { ...source, text: message.text } : source;
-  return withDocument(shown, { cage: { source: kept, name: source.name, ...cage } });
+  const named = withDocument(shown, { cage: { source: kept, name: source.name, ...cage } });
+  return edited ? withView(named, { editing: editingOf(kept, edited) }) : named;
 }
 
 /**
@@ -124,7 +129,7 @@ function afterRefused(state, { purpose, source }, message) {
   const closed = withSession(state, { opening: null, phase: phase.name === 'loading' ? phases.resting : phase });
   if (purpose === 'entry') return openWithout(closed, message);
   if (purpose === 'cage') {
-    const withAlert = withView(closed, { alert: notOpened(source.name, message) });
+    const withAlert = withView(withoutDrag(closed), { alert: notOpened(source.name, message) });
     // If the address names a shape that does not exist, opens the default shape instead.
     const nothing = !document.cage && source.name !== firstGenerator.name;
     if (!nothing) return withAlert;

@@ -28,10 +28,10 @@ export function beginOpening(state, opening) {
 /**
  * What is held and filled belongs to the cage that is open, and a surface that is brought back to the run that it comes from.
  * @param {Document} document
- * @param {Pick<Opening, 'purpose'>} opening
+ * @param {Pick<Opening, 'purpose' | 'edited'>} opening
  */
-function keptBy({ settings, result }, { purpose }) {
-  if (purpose === 'cage') return nothingKept;
+function keptBy({ settings, result }, { purpose, edited }) {
+  if (purpose === 'cage') return edited?.kept ?? nothingKept;
   return keptOf(purpose === 'recovery' ? result.settings : settings);
 }
 
@@ -41,7 +41,8 @@ export function openPreview(state) {
   const pending = session.opening?.purpose === 'cage' ? session.opening : null;
   const source = pending?.source ?? document.cage?.source;
   if (!source || problemWith(document.settings) || !holdIsUsable(state)) return state;
-  return beginOpening(state, { source, purpose: pending?.purpose ?? 'preview', then: 'hold', start: null });
+  const edited = pending?.edited && { edited: pending.edited };
+  return beginOpening(state, { source, purpose: pending?.purpose ?? 'preview', then: 'hold', start: null, ...edited });
 }
 
 /** Begins to open the generator's cage. @param {State} state @returns {State} */

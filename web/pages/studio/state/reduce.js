@@ -6,6 +6,7 @@ import { firstSection } from './section.js';
 import { parseStudioAddress } from '../../../address/studio.js';
 import { whatIsAsked } from './address.js';
 import { afterAnswer } from './answers.js';
+import { afterEditing } from './editing.js';
 import { openEntry, openWithout } from './entry.js';
 import { noHistory, redone, remembered, undone } from './history.js';
 import { afterHold, holdIsUsable, holdsTheSame, keptOf } from './hold.js';
@@ -78,6 +79,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       projection: 'perspective',
       theme,
       pointer: 'turn',
+      editing: null,
       boundary: null,
       pin: null,
       surface: null,
@@ -215,6 +217,12 @@ function changed(state, action) {
     case 'fillPressed':
     case 'closenessChanged':
       return hold(state, action);
+    case 'cageSelected':
+    case 'cagePicked':
+    case 'cageSelectionChanged':
+    case 'cageDragged':
+    case 'cageEdited':
+      return afterEditing(state, action);
     case 'startPressed':
       return go(state, 'run');
     case 'stepPressed':

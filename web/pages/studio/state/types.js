@@ -9,6 +9,7 @@
 /** @import {AxisView, Camera, Projection} from '../../../address/camera.js' */
 /** @import {EntryName} from '../../../address/compare.js' */
 /** @import {Shading} from '../../../colour/quantities.js' */
+/** @import {Point, PolygonCage, Selection} from '../../../cage/polygons.js' */
 /** @import {CatalogEntry} from '../../../files/catalog.js' */
 /** @import {ComputedValues} from '../../../worker/computed.js' */
 /** @import {Crossings} from '../../../worker/crossings.js' */
@@ -59,7 +60,23 @@
  * @typedef {{place: 'boundary' | 'fill' | 'closeness', boundary: number | null, message: string}} Refusal
  */
 
-/** What the pointer does on the surface: turns it, holds faces, frees them, or pins vertices. @typedef {'turn' | 'hold' | 'free' | 'pin'} Pointer */
+/**
+ * What the pointer does on the surface: turns it, holds faces, frees them, or pins vertices; or on the cage, selects parts of
+ * it. @typedef {'turn' | 'hold' | 'free' | 'pin' | 'edit'} Pointer
+ */
+
+/**
+ * An edit of what is selected of the cage. `by` is a vector, or a distance.
+ * @typedef {{kind: 'move', by: Point} | {kind: 'extrude', by: number} | {kind: 'remove'} | {kind: 'bridge'} | {kind: 'split'}
+ *   | {kind: 'mirror', axis: 0 | 1 | 2, side: 1 | -1}} CageEdit
+ *
+ * The cage that can be edited: that of a source, what of it is selected, and how far a hand has moved that which still
+ * holds it. `said` is why the last edit was refused, or what was lost by it.
+ * @typedef {{source: OpenCage['source'], cage: PolygonCage, selection: Selection, drag: Point | null, said: string}} Editing
+ *
+ * What an edit leaves behind, once the core has opened its cage. `kept` is what is held then.
+ * @typedef {{cage: PolygonCage, selection: Selection, kept: Pick<Settings, 'constraints' | 'fill'>, said: string}} EditedCage
+ */
 
 /**
  * A cage or a surface that the worker is opening under a new run number.
@@ -73,6 +90,7 @@
  * @property {SurfaceState | null} start the surface from which the run starts; null for the cage's
  * @property {{name: string, asked: Asked}} [before] the step of the history that this makes once it has opened, and what was
  *   asked before
+ * @property {EditedCage} [edited] of a new cage that an edit has made
  * @property {CatalogEntry} [entry] the catalog entry that is opened
  * @property {Report} [report] the report of this entry
  */
@@ -188,6 +206,7 @@
  * @property {Projection} projection
  * @property {'light' | 'dark' | 'system'} theme
  * @property {Pointer} pointer
+ * @property {Editing | null} editing null until the worker has told the cage
  * @property {number | null} boundary the number of the one that is marked on the surface
  * @property {number | null} pin the one that has the handle, from 0
  * @property {Surface | null} surface
@@ -239,8 +258,17 @@
  */
 
 /**
+ * What is selected of the cage, and edits of that. `add`: beside what is selected already, or no more if it was.
+ * @typedef {{type: 'cageSelected', selection: Selection}
+ *   | {type: 'cagePicked', what: keyof Selection, numbers: number[], add: boolean}
+ *   | {type: 'cageSelectionChanged', how: 'grow' | 'loop' | 'none'}
+ *   | {type: 'cageDragged', by: Point}
+ *   | {type: 'cageEdited', edit: CageEdit}} EditAction
+ */
+
+/**
  * `moving`: the hand still holds the slider.
- * @typedef {HoldAction | {type: 'generatorChanged', change: Partial<Generator>}
+ * @typedef {HoldAction | EditAction | {type: 'generatorChanged', change: Partial<Generator>}
  *   | {type: 'fileChosen', name: string, text: Uint8Array}
  *   | {type: 'fileRefused', name: string, message: string}
  *   | {type: 'settingsChanged', change: Partial<Settings>}

@@ -56,7 +56,7 @@ export function listenToBrush(canvas, { pointer, pick, isHandle, pinAt }, dispat
   /** @param {PointerEvent} event */
   function begin(event) {
     const mode = pointer();
-    if (mode === 'turn' || event.button !== 0) return;
+    if (mode === 'turn' || mode === 'edit' || event.button !== 0) return;
     if (stroke) return event.stopImmediatePropagation();
     const { clientX: x, clientY: y } = event;
     if (isHandle(...placeOf(x, y))) return;

@@ -37,18 +37,20 @@ export async function takePicture(shown, create, { state, range, dark }, { size,
     visibility: 'hidden',
   });
   document.body.append(root);
-  const view = create(
+  const shownBy = create(
     root,
     () => {},
     () => {},
   );
   try {
     const taken = capture(root, width, height, background ? colourBehind(shown) : null);
-    view.update(state, range, dark);
+    // What edits the surface is no part of it.
+    const view = { ...state.view, pointer: /** @type {const} */ ('turn'), pin: null };
+    shownBy.update({ ...state, view }, range, dark);
     const blob = await (await taken).convertToBlob({ type: 'image/png' });
     return blob;
   } finally {
-    view.dispose();
+    shownBy.dispose();
     const canvas = root.querySelector('canvas');
     canvas?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
     root.remove();

@@ -5,12 +5,14 @@
 import { computedOf, patternOf, quantityOf } from '../../../colour/quantities.js';
 import { drawing } from '../../../scene/drawing.js';
 import { createScene } from '../../../scene/scene.js';
+import { editingOn } from '../state/editing.js';
 import { heldWithCopies, shownHeld } from '../state/hold.js';
 import { cageOnScreen } from '../state/taken.js';
 import { computedValues } from '../state/wish.js';
 import { createBoundaryEdges } from './boundary_edges.js';
 import { listenToBrush } from './brush.js';
 import { cameraKeys } from './camera.js';
+import { createEditedPicture, handleOf } from './edited.js';
 import { createProbe } from './probe.js';
 import { createUndrawnView } from './undrawn.js';
 import { find, whenChanged } from '../../../views/dom.js';
@@ -23,7 +25,7 @@ import { listenToKeys } from '../../../views/keys.js';
 /** @import {CutFound} from '../../../scene/section_lines.js' */
 /** @import {Constraints, Mesh} from '../../../../wasm/types.js' */
 /** @import {Section} from '../state/section.js' */
-/** @import {Action, CageFaces, Document, OpenCage, Pointer, State, Surface, TakenCage} from '../state/types.js' */
+/** @import {Action, CageFaces, Document, Editing, OpenCage, Pointer, State, Surface, TakenCage} from '../state/types.js' */
 
 /**
  * Whether a surface stays where its cage is because parts of it are held; others are shown in one place and size.
@@ -82,7 +84,7 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
   let handled = null;
   /** @param {[number, number, number]} at @param {boolean} moving */
   function dragged(at, moving) {
-    if (!handled) return;
+    if (edited.dragged(at, moving) || !handled) return;
     const { index, place } = handled;
     // A coordinate that the pin leaves free stays so.
     const [x, y, z] = at.map((value, axis) => (Number.isFinite(place[axis]) ? value : NaN));
@@ -108,7 +110,10 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
   });
   /** @type {Projection} */
   let projection = 'perspective';
-  const letGo = () => dispatch({ type: 'viewChanged', change: { pin: null } });
+  function letGo() {
+    dispatch({ type: 'viewChanged', change: { pin: null } });
+    dispatch({ type: 'cageSelectionChanged', how: 'none' });
+  }
   const keys = { v: probe.toggle, Escape: letGo, ...cameraKeys(dispatch, () => projection) };
   listenToKeys(canvas, scene?.controls, () => dispatch({ type: 'fitPressed' }), signal, keys);
   /** @type {Pointer} */
@@ -125,6 +130,8 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
   };
   listenToBrush(canvas, brush, dispatch, signal);
 
+  const edited = createEditedPicture(canvas, scene, dispatch, signal);
+
   const setCamera = whenChanged((/** @type {Camera} */ camera) => scene?.setCamera(camera));
   const project = whenChanged((/** @type {Projection} */ next) => scene?.project((projection = next)));
   const setHeld = whenChanged((/** @type {Parameters<typeof shownHeld>} */ ...asked) => {
@@ -137,7 +144,13 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
       scene?.setSurface(mesh, values, like),
   );
   const setHandle = whenChanged(
-    (/** @type {number | null} */ index, /** @type {Document} */ document, /** @type {Surface} */ { limit }) => {
+    (
+      /** @type {number | null} */ index,
+      /** @type {Document} */ document,
+      /** @type {Surface} */ { limit },
+      /** @type {Editing | null} */ editing,
+    ) => {
+      if (editing) return scene?.setHandle(handleOf(editing));
       handled = index === null ? null : handledPin(document, limit, index);
       const free = handled?.place.map((x) => Number.isFinite(x));
       const where = handled?.place.map((x, axis) => (Number.isFinite(x) ? x : (handled?.surface[axis] ?? 0)));
@@ -211,7 +224,8 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
       const values = limit === view.surface.limit ? computedValues(state) : null;
       computed = values && computedOf(view.shading);
       setSurface(limit, values, staysInPlace(document) ? view.surface.limit : limit);
-      setHandle(view.pin, document, view.surface);
+      edited.update(state);
+      setHandle(view.pin, document, view.surface, editingOn(state));
       setMarked(view.boundary, document.cage, document.result.taken, limit);
       const crossings = view.crossings && limit === view.surface.limit ? view.surface.crossings : null;
       setSection(view.section, limit);
