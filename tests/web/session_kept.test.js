@@ -129,6 +129,21 @@ describe('the density of an energy', () => {
     }
   });
 
+  test('is not sent where the energy is infinite; the surface is, and nothing fails', () => {
+    session.obey({
+      type: 'open',
+      run: 1,
+      problem: { cage: { generator: 'two-3' }, terms: { bending: 1 }, options: { levels: [1, 1], cap: 'none' } },
+      wish: { of: 'energy', terms: { mvs: 1 } },
+    });
+    work();
+    expect(all('surfaced').at(-1)).not.toHaveProperty('computed');
+    expect(all('failed')).toEqual([]);
+    session.obey({ type: 'compute', wish: { of: 'energy', terms: { bending: 1 } } });
+    work();
+    expect(all('surfaced').at(-1).computed.values.length).toBeGreaterThan(0);
+  });
+
   test('is sent once for many wishes that come at once, the last one', () => {
     open(1);
     work();
