@@ -140,8 +140,8 @@ umbilic_status use(long& loaded) {
   if (calls.make([&] { return umbilic_run_control_mesh(run, &mesh); })) use_mesh(calls, mesh);
   if (calls.make([&] { return umbilic_run_limit_mesh(run, 3, &mesh); })) use_mesh(calls, mesh);
   use_certificate(calls, run);
-  constexpr char kTargets[] = R"({"terms": {"bending": 2}})";
-  calls.make([&] { return umbilic_run_retarget(run, kTargets, std::strlen(kTargets)); });
+  constexpr char kNewTargets[] = R"({"terms": {"bending": 2}})";
+  calls.make([&] { return umbilic_run_retarget(run, kNewTargets, std::strlen(kNewTargets)); });
   calls.make([&] { return umbilic_run_step(run, 10, &done); });
   umbilic_run_destroy(run);
   return calls.status();

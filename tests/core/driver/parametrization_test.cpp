@@ -9,6 +9,7 @@
 #include "driver/run.h"
 #include "driver/surface.h"
 #include "mesh/rough_cages.h"
+#include "solve/stop_reason.h"
 
 namespace umbilic::test {
 namespace {
@@ -36,7 +37,7 @@ TEST(ParametrizationStages, weigh_the_term_by_its_share_of_the_energy_until_it_i
   EXPECT_EQ(stages.begun(), static_cast<int>(kParametrizationShares.size()));
 }
 
-TEST(ParametrizationStages, of_a_run_without_symmetry_are_reported_and_its_energies_are_the_functionals_alone) {
+TEST(ParametrizationStagesSlow, of_a_run_without_symmetry_are_reported_and_its_energies_are_the_functionals_alone) {
   RunOptions options;
   options.weights = kMvsCrossOnly;
   options.last_level = 1;
@@ -47,7 +48,7 @@ TEST(ParametrizationStages, of_a_run_without_symmetry_are_reported_and_its_energ
   for (const LevelReport& level : run.levels()) {
     EXPECT_EQ(level.metric, MetricChoice::kNewton);
     EXPECT_EQ(level.parametrization_stages, static_cast<int>(kParametrizationShares.size()));
-    EXPECT_EQ(level.stop, StopReason::kConverged);
+    EXPECT_TRUE(level.stop == StopReason::kConverged || level.stop == StopReason::kRoundOff) << name_of(level.stop);
     EXPECT_NEAR(level.energy, level.energy_reported, 0.1 * level.energy_reported);
   }
 
