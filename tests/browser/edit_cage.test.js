@@ -239,9 +239,10 @@ test('a generated shape becomes a text of its own, what is held follows, and a r
   expect(await fact(page, 'Boundaries')).toBe('1');
   expect(await page.locator('#pins li').count()).toBe(1);
   await settled(page);
-  await page.getByRole('button', { name: 'Start', exact: true }).click();
-  await said(page, /^A run goes on\. Cancel it to edit the cage\.$/);
+  await page.getByRole('button', { name: 'Step', exact: true }).click();
+  await said(page, /^A run is paused\. Cancel it to edit the cage\.$/);
   expect(await field(page, 'remove').isDisabled()).toBe(true);
+  await page.locator('#primary').click();
   await status(page, minimized, 60_000);
   await said(page, /^Nothing is selected of 5 faces/);
   await type(page, 'points', '2');

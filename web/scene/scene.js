@@ -154,7 +154,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
     /**
      * @param {core.Mesh} mesh
      * @param {Float32Array | null} [computed] a value of each vertex that is no function of curvatures
-     * @param {core.Mesh} [like] the mesh that is placed in the picture, to which this one keeps its position and size
+     * @param {Pick<core.Mesh, 'centre' | 'positions'>} [like] the mesh that is placed in the picture, to which this one keeps its position and size
      */
     setSurface(mesh, computed = null, like = mesh) {
       marks.setRim(surfaceGeometry, setSurface(surfaceGeometry, mesh, held));

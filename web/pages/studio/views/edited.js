@@ -8,7 +8,7 @@ import { movedPoints } from '../../../cage/select.js';
 import { element, whenChanged } from '../../../views/dom.js';
 import { editingOn } from '../state/editing.js';
 
-/** @import {Point} from '../../../cage/polygons.js' */
+/** @import {Point, PolygonCage} from '../../../cage/polygons.js' */
 /** @import {createScene} from '../../../scene/scene.js' */
 /** @import {Action, Editing, State} from '../state/types.js' */
 
@@ -35,6 +35,12 @@ function dragged({ cage: { points, faces }, cage, selection, drag }) {
   if (!drag) return { points, faces, selection };
   const moved = new Set(movedPoints(cage, selection));
   return { points: points.map((point, v) => (moved.has(v) ? shifted(point, drag) : point)), faces, selection };
+}
+
+/** The points of a cage as a mesh has them, by which the picture is placed. @param {PolygonCage} cage */
+function placing({ points }) {
+  const centre = Float64Array.from(points[0]);
+  return { centre, positions: Float32Array.from(points.flatMap((point) => point.map((x, axis) => x - centre[axis]))) };
 }
 
 /**
@@ -112,13 +118,21 @@ export function createEditedPicture(canvas, scene, dispatch, signal) {
     canvas.addEventListener(type, end, { signal });
   }
 
+  /** What the picture is placed by, since a cage is larger than its surface. @type {ReturnType<typeof placing> | null} */
+  let frame = null;
+  const setFrame = whenChanged((/** @type {PolygonCage | null} */ cage) => (frame = cage && placing(cage)));
   const show = whenChanged((/** @type {Editing | null} */ shown) => scene?.setEdited(shown && dragged(shown)));
 
   return {
     /** @param {State} state */
     update(state) {
       editing = editingOn(state);
+      setFrame(editing?.cage ?? null);
       show(editing);
+    },
+
+    get frame() {
+      return frame;
     },
 
     /**

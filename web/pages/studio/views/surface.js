@@ -140,8 +140,11 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
     scene?.setPins((asked[0].pins ?? []).map(({ vertex }) => (vertex ?? 0) - 1));
   });
   const setSurface = whenChanged(
-    (/** @type {Mesh} */ mesh, /** @type {Float32Array | null} */ values, /** @type {Mesh} */ like) =>
-      scene?.setSurface(mesh, values, like),
+    (
+      /** @type {Mesh} */ mesh,
+      /** @type {Float32Array | null} */ values,
+      /** @type {Pick<Mesh, 'centre' | 'positions'>} */ like,
+    ) => scene?.setSurface(mesh, values, like),
   );
   const setHandle = whenChanged(
     (
@@ -223,8 +226,9 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
       const { limit, density } = view.before && start ? start : view.surface;
       const values = limit === view.surface.limit ? computedValues(state) : null;
       computed = values && computedOf(view.shading);
-      setSurface(limit, values, staysInPlace(document) ? view.surface.limit : limit);
       edited.update(state);
+      const like = edited.frame ?? (staysInPlace(document) ? view.surface.limit : limit);
+      setSurface(limit, values, like);
       setHandle(view.pin, document, view.surface, editingOn(state));
       setMarked(view.boundary, document.cage, document.result.taken, limit);
       const crossings = view.crossings && limit === view.surface.limit ? view.surface.crossings : null;
