@@ -4,10 +4,11 @@
  * of a static host. All pages begin with the same head and header, and some have parts in files of their own. The catalog's
  * data keep their names.
  */
-import { cpSync, existsSync, readFileSync, readdirSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { noticesFile, packageNotices } from '../tests/run/licences.js';
 import { tablesHtml } from './pages/methods/tables.js';
 
 const web = path.dirname(fileURLToPath(import.meta.url));
@@ -115,10 +116,38 @@ function catalog() {
   };
 }
 
+/** The modules of all bundles: workers have bundles of their own, which are ready before the page's. @type {Set<string>} */
+const bundled = new Set();
+
+/** Notes what a bundle contains. @returns {import('vite').Plugin} */
+function contents() {
+  return {
+    name: 'contents',
+    apply: 'build',
+    generateBundle(_, bundle) {
+      for (const output of Object.values(bundle)) {
+        if (output.type === 'chunk') output.moduleIds.forEach((id) => bundled.add(id));
+      }
+    },
+  };
+}
+
+/** Writes the notices of all that the page contains. @returns {import('vite').Plugin} */
+function licences() {
+  return {
+    name: 'licences',
+    apply: 'build',
+    writeBundle() {
+      const text = `${readFileSync(noticesFile, 'utf8')}\n${packageNotices(bundled)}`;
+      writeFileSync(path.join(outDir, 'licences.txt'), text);
+    },
+  };
+}
+
 export default defineConfig({
   root: web,
   base: './',
-  plugins: [beginnings(), parts(), securityPolicy(), preloads(), catalog()],
+  plugins: [beginnings(), parts(), securityPolicy(), preloads(), catalog(), contents(), licences()],
   build: {
     outDir,
     emptyOutDir: true,
@@ -133,7 +162,7 @@ export default defineConfig({
       },
     },
   },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [contents()] },
   preview: {
     headers: { 'Content-Security-Policy': `${policy}; frame-ancestors 'none'`, 'X-Content-Type-Options': 'nosniff' },
   },

@@ -134,8 +134,9 @@ RefinedCage refine(RefinedCage cage, int steps) {
     Refinement finer = catmull_clark(cage.mesh);
     cage.symmetry =
         finer.mesh.is_open() ? refined(cage.symmetry, cage.mesh, finer.mesh) : refined(cage.symmetry, cage.mesh);
-    cage.control = (finer.stencil * cage.control).eval();
-    if (cage.is_constrained()) cage.own = (finer.stencil * cage.own).eval();
+    // Of a size of its own, which only then takes the place: a matrix that Eigen fails to resize is freed twice.
+    cage.control = Points(finer.stencil * cage.control);
+    if (cage.is_constrained()) cage.own = Points(finer.stencil * cage.own);
     if (!cage.held.empty()) {
       cage.held = on_quads(cage.held, cage.mesh, finer.mesh);
     }

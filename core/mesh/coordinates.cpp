@@ -140,7 +140,8 @@ void Coordinates::control(const Eigen::VectorXd& unknowns, Points& control) cons
 
 void Coordinates::project(const Points& rows, const Vector3& offset, Eigen::VectorXd& unknowns) const {
   assert(rows.rows() == vertex_count_);
-  unknowns.resize(count_);
+  // A vector that Eigen fails to resize is freed twice; here the new one takes its place only once it is there.
+  if (unknowns.size() != count_) unknowns = Eigen::VectorXd(count_);
   if (rows_.empty()) {
     unknowns = Eigen::Map<const Eigen::VectorXd>(rows.data(), rows.size());
     return;

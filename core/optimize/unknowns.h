@@ -55,7 +55,10 @@ class Unknowns {
   /// The gradient with respect to the unknowns.
   void pull_back(const Points& gradient, Eigen::VectorXd& result) const {
     coordinates_.pull_back(gradient, result);
-    if (mapped()) result = (map_.transpose() * result).eval();
+    if (!mapped()) return;
+    // Not assigned: a vector that Eigen fails to resize is freed twice.
+    Eigen::VectorXd reduced = map_.transpose() * result;
+    result.swap(reduced);
   }
   Eigen::VectorXd pull_back(const Points& gradient) const {
     Eigen::VectorXd result;

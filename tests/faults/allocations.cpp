@@ -33,10 +33,17 @@ std::atomic<long> live = 0;
 std::atomic<long> first_to_fail = 0;  // 0: none
 std::atomic<long> last_to_fail = 0;
 
+}  // namespace
+
+/// A place for a debugger to stop at: the allocation that fails.
+extern "C" [[gnu::noinline]] void umbilic_allocation_fails() { errno = ENOMEM; }
+
+namespace {
+
 bool fails() {
   const long position = ++allocations;
   const bool failing = position >= first_to_fail && position <= last_to_fail;
-  if (failing) errno = ENOMEM;
+  if (failing) umbilic_allocation_fails();
   return failing;
 }
 

@@ -7,6 +7,7 @@ import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { installPackages, installTools } from './install.js';
+import { noticesFile, writeNotices } from './licences.js';
 import { output, root, run } from './process.js';
 
 /** @typedef {'native' | 'sanitize' | 'wasm' | 'types' | 'web' | 'fuzz'} Part */
@@ -42,7 +43,9 @@ export async function build(part, ...targets) {
   if (part === 'fuzz' && !targets.length) targets = ['umbilic_fuzz'];
   const jobs = String(availableParallelism());
   const quiet = process.stdout.isTTY ? [] : ['--quiet'];
-  return (await run('ninja', ['-C', `build/${folder}`, '-k', '0', '-j', jobs, ...quiet, ...targets])) === 0;
+  const built = (await run('ninja', ['-C', `build/${folder}`, '-k', '0', '-j', jobs, ...quiet, ...targets])) === 0;
+  if (part === 'wasm') writeNotices();
+  return built;
 }
 
 /**
@@ -76,7 +79,8 @@ async function buildTypes() {
 /** Builds the page, unless it is newer than all its sources. */
 async function buildPage() {
   const page = path.join(root, 'build/web/index.html');
-  const inputs = ['web', 'wasm', 'build/wasm/umbilic-core.mjs', 'build/wasm/umbilic-core.wasm', 'package-lock.json'];
+  const built = ['build/wasm/umbilic-core.mjs', 'build/wasm/umbilic-core.wasm', path.relative(root, noticesFile)];
+  const inputs = ['web', 'wasm', ...built, 'package-lock.json'];
   if (existsSync(page) && newest(inputs) < statSync(page).mtimeMs) return true;
   const vite = ['node_modules/vite/bin/vite.js', 'build', '--config', 'web/vite.config.js', '--logLevel', 'warn'];
   return (await run(process.execPath, vite)) === 0;

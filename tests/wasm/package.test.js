@@ -36,7 +36,7 @@ describe('the package', () => {
   test('contains what its entries need, their types, and nothing else', () => {
     const code = reached();
     const types = code.filter((name) => name.endsWith('.js')).map((name) => `build/types/${name.slice(0, -3)}.d.ts`);
-    expect(project.files).toEqual([...code, ...types, 'LICENSE', 'README.md'].sort());
+    expect(project.files).toEqual([...code, ...types, 'LICENSE', 'README.md', 'build/wasm/licences.txt'].sort());
     expect(code.filter((name) => /\.(mjs|wasm)$/.test(name))).toHaveLength(2);
     console.log(`The package: ${project.files.length} files, ${Math.round(project.size / 1000)} kB packed`);
   });
