@@ -143,7 +143,7 @@ describe('the brush', () => {
     const { page, errors } = await openFish();
     const address = page.url();
     await pointer(page, 'Paint');
-    await drag(page, [0.4, 0.48], [0.62, 0.5]);
+    await drag(page, [0.4, 0.48], [0.7, 0.5]);
     await settled(page);
     const painted = await heldCount(page);
     expect(painted).toBeGreaterThanOrEqual(3);
