@@ -231,7 +231,7 @@ describe('a user', () => {
     await openAdvanced(page);
     await page.getByLabel('None').check();
     await page.locator('#energies').getByText('diverges').first().waitFor();
-    expect(await page.locator('#energies').getByText('diverges').count()).toBe(4);
+    expect(await page.locator('#energies').getByText('diverges').count()).toBe(6);
     await page.context().close();
   });
 
