@@ -58,15 +58,18 @@ export function createHandle(canvas, { scene, model, lens }, { changed, gripped,
      */
     set(position, free = [true, true, true]) {
       if (controls.dragging && position) return;
+      if (!position && !controls.enabled) return;
+      const stays = controls.enabled && position?.every((x, axis) => x === point.position.getComponent(axis));
       controls.enabled = position !== null;
-      if (!position) {
+      if (position) {
+        point.position.set(...position);
+        controls.attach(point);
+        [controls.showX, controls.showY, controls.showZ] = free;
+      } else {
         controls.detach();
         delete canvas.dataset.handle;
-        return;
       }
-      point.position.set(...position);
-      controls.attach(point);
-      [controls.showX, controls.showY, controls.showZ] = free;
+      if (!stays) changed();
     },
 
     /** Before each picture. */

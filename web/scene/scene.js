@@ -222,7 +222,6 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
     setHandle(at, free) {
       const [cx, cy, cz] = shown?.centre ?? [0, 0, 0];
       handle.set(at && [at[0] - cx, at[1] - cy, at[2] - cz], free);
-      requestRender();
     },
 
     /** Whether the handle is under a point of the picture. */
