@@ -102,3 +102,15 @@ export function scratchFolder() {
 export const openTetrahedron = 'v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 3 4\nf 1 4 2\n';
 
 export const tetrahedron = `${openTetrahedron}f 2 4 3\n`;
+
+/** The functionals, in the order in which tables and reports have them. */
+export const functionals = [
+  'bending',
+  'willmore',
+  'mvs',
+  'mvs_cross',
+  'mehlum_tarrou',
+  'second_form_variation',
+  'mean_curvature_variation',
+  'curvedness_variation',
+];

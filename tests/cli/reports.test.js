@@ -3,21 +3,11 @@
  * @file What the commands report, as JSON and as tables.
  */
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { jsonOf, outputOf, scratchFolder, umbilic } from './program.js';
+import { functionals, jsonOf, outputOf, scratchFolder, umbilic } from './program.js';
 
 const scratch = scratchFolder();
 afterAll(scratch.dispose);
 
-const functionals = [
-  'bending',
-  'willmore',
-  'mvs',
-  'mvs_cross',
-  'mehlum_tarrou',
-  'second_form_variation',
-  'mean_curvature_variation',
-  'curvedness_variation',
-];
 const invariants = ['gradient_form', 'variation_form', 'triple_form'];
 const energyNames = [...functionals, 'area', 'gaussian'];
 

@@ -5,7 +5,7 @@
 import { afterAll, describe, expect, test } from '@jest/globals';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { outputOf, root, scratchFolder, tetrahedron, umbilic } from './program.js';
+import { functionals, outputOf, root, scratchFolder, tetrahedron, umbilic } from './program.js';
 
 const scratch = scratchFolder();
 afterAll(scratch.dispose);
@@ -29,16 +29,7 @@ describe('help', () => {
 
   test('of optimize gives each functional its formula and each option its default', () => {
     const help = outputOf(['optimize', '--help']);
-    for (const name of [
-      'bending',
-      'willmore',
-      'mvs',
-      'mvs_cross',
-      'mehlum_tarrou',
-      'second_form_variation',
-      'mean_curvature_variation',
-      'curvedness_variation',
-    ]) {
+    for (const name of functionals) {
       expect(help).toMatch(new RegExp(`^  ${name} +(A(\\^2)? \\* )?integral of`, 'm'));
     }
     for (const fact of ['[0..2]', '[1000]', '[1e-6]', '[smooth]', '[auto]']) expect(help).toContain(fact);

@@ -6,6 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +43,17 @@ inline Cage cage_of(std::string_view text) {
 }
 
 inline Cage generated(std::string_view name) { return generate_cage(name).value(); }
+
+/// A cube whose coordinates are any doubles, by their bits.
+inline Cage cube_of_any_doubles(std::mt19937_64& random) {
+  Cage cage = generated("cube");
+  for (double& x : cage.vertices.reshaped()) {
+    const std::uint64_t bits = random();
+    std::memcpy(&x, &bits, sizeof x);
+    if (!std::isfinite(x)) x = -0.0;
+  }
+  return cage;
+}
 
 /// Of a cage that must be valid.
 inline CageReport report_of(Cage cage) {
