@@ -5,7 +5,7 @@
 import path from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { cubes } from './cubes.js';
-import { drawn, openPage, screenshots } from './page.js';
+import { allPixels, drawn, openPage, screenshots } from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -19,7 +19,7 @@ beforeAll(async () => {
   ({ page, errors } = await openPage(served.browser, served.url, {
     reducedMotion: 'reduce',
     acceptDownloads: true,
-    deviceScaleFactor: 1,
+    ...allPixels,
   }));
 }, 60_000);
 afterAll(() => page?.context().close());

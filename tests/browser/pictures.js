@@ -37,6 +37,17 @@ export async function pictureOf(page, part) {
 }
 
 /**
+ * The picture of the studio's surface, without what lies over it. The page must have been opened with `bypassCSP`.
+ * @param {Page} page
+ * @returns {Promise<string>} PNG, in base 64
+ */
+export async function surfacePicture(page) {
+  await settled(page);
+  const style = '#surface > :not(.view) { visibility: hidden !important } canvas { outline: none !important }';
+  return (await page.locator('#surface .view').screenshot({ style })).toString('base64');
+}
+
+/**
  * The fraction of pixels whose colours differ visibly; 1 if the sizes differ.
  * @param {Page} page any page; only used to compute in a browser
  * @param {string} a

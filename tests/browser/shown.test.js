@@ -6,7 +6,7 @@
 import path from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { drawn, look, minimized, openAddress, openPage, screenshots, status } from './page.js';
-import { difference } from './pictures.js';
+import { difference, surfacePicture } from './pictures.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -25,12 +25,7 @@ beforeAll(async () => {
 }, 60_000);
 afterAll(() => page?.context().close());
 
-/** The picture of the surface, without what lies over it. */
-async function picture() {
-  await drawn(page);
-  const style = '#surface > :not(.view) { visibility: hidden !important } canvas { outline: none !important }';
-  return (await page.locator('#surface .view').screenshot({ style })).toString('base64');
-}
+const picture = () => surfacePicture(page);
 
 /**
  * Where in a picture the surface begins, at 45 % of the canvas' height, as a fraction of the canvas' width.

@@ -6,7 +6,7 @@
 import { mkdirSync } from 'node:fs';
 import path from 'node:path';
 import { launchBrowser } from '../browser/browser.js';
-import { builtPage, minimized, openAdvanced, openPage, status } from '../browser/page.js';
+import { allPixels, builtPage, minimized, openAdvanced, openPage, status } from '../browser/page.js';
 import { serve } from '../browser/site.js';
 import { build } from './build.js';
 import { installPackages, installTools } from './install.js';
@@ -20,7 +20,11 @@ const folder = path.join(root, 'web/pictures');
 
 /** A picture of the page with a minimizer. @param {Browser} browser @param {string} url */
 async function pagePicture(browser, url) {
-  const { page } = await openPage(browser, url, { colorScheme: 'light', viewport: { width: 1280, height: 940 } });
+  const { page } = await openPage(browser, url, {
+    colorScheme: 'light',
+    viewport: { width: 1280, height: 940 },
+    ...allPixels,
+  });
   await page.locator('#primary').click();
   await status(page, minimized, 300_000);
   await page.locator('canvas[data-picture=fine]').waitFor();
@@ -30,7 +34,7 @@ async function pagePicture(browser, url) {
 
 /** A picture of the extraordinary vertices of the first cage with the three kinds of caps, side by side. @param {Browser} browser @param {string} url */
 async function capsPicture(browser, url) {
-  const { page } = await openPage(browser, url, { colorScheme: 'light' });
+  const { page } = await openPage(browser, url, { colorScheme: 'light', ...allPixels });
   await page.locator('[name=functional]').selectOption('bending');
   /** @type {string[]} */
   const figures = [];

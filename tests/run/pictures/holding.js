@@ -5,7 +5,8 @@
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { drawn, dropFile, measured, minimized, openAddress, status } from '../../browser/page.js';
+import { dropFile, measured, minimized, openAddress, status } from '../../browser/page.js';
+import { surfacePicture } from '../../browser/pictures.js';
 import { root } from '../process.js';
 
 /** @typedef {import('playwright-core').Browser} Browser */
@@ -40,14 +41,14 @@ export async function holdingPicture(browser, url, file) {
       colorScheme: 'light',
       viewport: { width: 1240, height: 700 },
       deviceScaleFactor: 2,
+      bypassCSP: true, // pictures are taken with a style of their own
     });
     await measured(page);
     await dropFile(page, `${sample}.json`, JSON.stringify(problem));
     await page.locator('.facts').filter({ hasText: sample }).waitFor();
     await measured(page);
     const shoot = async (/** @type {string} */ caption) => {
-      await drawn(page);
-      const picture = (await page.locator('#surface').screenshot()).toString('base64');
+      const picture = await surfacePicture(page);
       figures.push(
         `<figure><div><img style="scale:${enlarged}" src="data:image/png;base64,${picture}"></div><figcaption>${caption}</figcaption></figure>`,
       );
