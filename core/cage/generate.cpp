@@ -12,6 +12,7 @@
 #include "cage/frame.h"
 #include "cage/open_cages.h"
 #include "cage/polyhedra.h"
+#include "cage/text.h"
 
 namespace umbilic {
 
@@ -156,7 +157,7 @@ Result<Cage> generate_cage(std::string_view name, const CageOptions& given) {
   if (!known) {
     std::string list;
     for (const CageName& n : cage_names()) list += (list.empty() ? "" : ", ") + n.name;
-    return Error{fmt::format("there is no cage called {}; there are {}", name, list)};
+    return Error{fmt::format("there is no cage called {}; there are {}", printable(name), list)};
   }
   switch (known->kind) {
     case CageKind::kCube: return cube();

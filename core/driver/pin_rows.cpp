@@ -11,6 +11,8 @@ namespace umbilic {
 namespace {
 
 constexpr double kSameTarget = 1e-10, kSameWeight = 1e-9;
+/// Of a cage whose size is about 1: farther out, numbers have no digits left for its shape.
+constexpr double kFarthest = 1e15;
 
 Error refused(std::size_t pin, std::string_view words) { return {fmt::format("constraints.pins[{}].{}", pin, words)}; }
 
@@ -108,7 +110,9 @@ Result<std::vector<HeldPoint>> hold(const std::vector<Pin>& pins, const RefinedC
     for (int c = 0; c < 3; ++c) {
       held[i].holds[c] = pins[i].position && !std::isnan(at[c]);
       if (pins[i].at && held[i].holds[c]) held[i].position[c] = at[c];
-      if (!std::isfinite(held[i].position[c])) return refused(i, fmt::format("at[{}]: too large for the cage", c));
+      if (!(std::abs(held[i].position[c]) <= kFarthest)) {
+        return refused(i, fmt::format("at[{}]: too large for the cage", c));
+      }
     }
     if (!pins[i].holds_normal()) continue;
     const auto* given = std::get_if<Coordinates3>(&*pins[i].normal);

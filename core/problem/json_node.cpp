@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #define JSON_NO_IO
 #include <nlohmann/json.hpp>
 
@@ -18,6 +20,8 @@ namespace {
 class TreeBuilder {
  public:
   using Library = nlohmann::json;
+
+  explicit TreeBuilder(std::string_view text) : text_(text) {}
 
   bool null() { return put(std::monostate()); }
   bool boolean(bool value) { return put(value); }
@@ -36,14 +40,14 @@ class TreeBuilder {
     return true;
   }
 
-  /// The parser's message ends with the position where it stopped and the last token, which may be long.
+  /// `position` counts what the parser has read, up to the end of the last token, which may be long.
   bool parse_error(std::size_t position, const std::string& last, const nlohmann::detail::exception& why) {
-    const std::string_view words = why.what();
-    const std::size_t line = words.find("line "), colon = words.find(": ", line == words.npos ? 0 : line);
-    const bool placed = line != words.npos && colon != words.npos;
-    const std::string place = placed ? std::string(words.substr(line, colon - line)) : fmt::format("byte {}", position);
+    constexpr int kNumberOutOfRange = 406;
+    const std::string place = place_of(position);
     if (last.empty()) {
       error_.message = place + ": the text ends too early, it is no JSON";
+    } else if (why.id == kNumberOutOfRange) {
+      error_.message = fmt::format("{}: the number {} is too large", place, in_quotes(last));
     } else {
       error_.message = fmt::format("{}: this is no JSON, at {}", place, in_quotes(last));
     }
@@ -86,6 +90,15 @@ class TreeBuilder {
     return std::get<JsonNode::Object>(open_.back()->value).back().node;
   }
 
+  /// Of the character before this position.
+  std::string place_of(std::size_t position) const {
+    const std::string_view before = text_.substr(0, position);
+    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const std::size_t line_end = before.rfind('\n');
+    return fmt::format("line {}, column {}", line, position - (line_end == before.npos ? 0 : line_end + 1));
+  }
+
+  std::string_view text_;
   JsonNode root_;
   std::vector<JsonNode*> open_;
   Error error_;
@@ -97,7 +110,7 @@ Result<JsonNode> parse_json(std::string_view text) {
   if (text.size() > kLongestJson) {
     return Error{fmt::format("the text is longer than {} MB", kLongestJson >> 20)};
   }
-  TreeBuilder builder;
+  TreeBuilder builder(text);
   nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
 }

@@ -9,7 +9,8 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
-export const program = path.join(root, 'build/native/umbilic');
+/** Of the native build, unless `npm run coverage` names another. */
+export const program = process.env.UMBILIC_PROGRAM ?? path.join(root, 'build/native/umbilic');
 
 /** @typedef {{ code: number | null, out: string, err: string }} Ended */
 

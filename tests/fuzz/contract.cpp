@@ -21,11 +21,11 @@ namespace umbilic::fuzz {
 namespace {
 
 constexpr int kMostCalls = 24;
-constexpr int kMostUnits = 24;  // of work in all, each about an energy evaluation
+constexpr int kMostUnits = 16;  // of work in all, each about an energy evaluation
 /// A run asked for level 1 takes the first level that can be evaluated.
 constexpr int kFinestLevel = 3;
 
-constexpr std::array<std::string_view, 8> kCages{
+constexpr std::array<std::string_view, 9> kCages{
     R"({"generator":"cube"})",
     R"({"generator":"torus","segments":[3,3]})",
     R"({"text":"v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n"})",
@@ -33,7 +33,8 @@ constexpr std::array<std::string_view, 8> kCages{
     R"({"text":"ply\nformat ascii 1.0\nelement vertex 6\nproperty int x\nproperty int y\nproperty int z\nelement face 8\nproperty list int int vertex_indices\nend_header\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n"})",
     R"({"text":"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n"})",
     R"({"generator":"cube","thickness":2})",
-    R"({"file":"cube.obj"})"};
+    R"({"file":"cube.obj"})",
+    R"({"generator":"cube\u0000\u001b[2J"})"};
 
 constexpr std::array<std::string_view, 8> kTerms{R"({"bending":1})",
                                                  R"({"willmore":1})",
@@ -70,6 +71,13 @@ constexpr std::array<std::string_view, 8> kTargetTexts{R"({})",
                                                        R"({"closeness":5})",
                                                        R"({"terms":{}})",
                                                        R"({"pins":[{},{"normal":[0,0,1]}])"};
+
+constexpr std::array<std::string_view, 5> kFiles{
+    "v 0 0 0", "ply\nformat ascii 1.0\n", "ply\nformat binary_little_endian 1.0\n",
+    "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty char x\nproperty char y\nproperty char z\n"
+    "element face 1\nproperty list char char vertex_index\nend_header\n\1\1\1\2\1\1\1\3\1\3\1\2\1",
+    "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty char x\nproperty char y\nproperty char z\n"
+    "element face 1\nproperty list char char vertex_index\nend_header\n\1\1\1\2\1\1\1\3\1\3\1\2\3"};
 
 constexpr std::array<std::int32_t, 6> kIntegers{
     1, 2, 0, -1, std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::min()};
@@ -117,7 +125,7 @@ class Caller {
 
  private:
   void call_one() {
-    switch (choices_.below(16)) {
+    switch (choices_.below(18)) {
       case 0: return create_run();
       case 1: return create_cage();
       case 2: return step_run();
@@ -133,7 +141,9 @@ class Caller {
       case 12: return descend();
       case 13: return view();
       case 14: return restart();
-      default: return ask_names();
+      case 15: return ask_names();
+      case 16: return draw_densities();
+      default: return read_file();
     }
   }
 
@@ -265,6 +275,30 @@ class Caller {
     });
   }
 
+  void draw_densities() {
+    const std::int32_t density = choices_.of(kIntegers);
+    const std::string_view terms = choices_.of(kTerms);
+    if (!affords(2)) return;
+    make(mesh_, umbilic_mesh_destroy, [&](umbilic_mesh** out) {
+      return umbilic_run_limit_mesh_with_densities(run_, density, terms.data(), terms.size(), out);
+    });
+  }
+
+  void read_file() {
+    const std::string_view file = choices_.of(kFiles);
+    const std::int32_t threads = choices_.of(kIntegers);
+    umbilic_text text{"before", 6};
+    const umbilic_status status = umbilic_cage_text(file.data(), file.size(), &text);
+    answered(status);
+    if (status == UMBILIC_OK) {
+      require(text.data[text.length] == '\0', "a zero follows a text");
+    } else {
+      require(text.length == 6, "a failure leaves a text as it was");
+    }
+    answered(umbilic_use_threads(threads));
+    answered(umbilic_use_threads(1));
+  }
+
   void retarget() {
     const std::string_view text = choices_.of(kTargetTexts);
     answered(umbilic_run_retarget(run_, text.data(), text.size()));
@@ -310,6 +344,11 @@ class Caller {
     for (std::size_t i = 0; i < 3 * arrays.vertex_count; ++i) {
       require(std::isfinite(arrays.positions[i]), "a vertex is finite");
     }
+    const float* densities = nullptr;
+    std::size_t count = 0;
+    answered(umbilic_mesh_densities(mesh_, &densities, &count));
+    require(count == (densities ? arrays.vertex_count : 0), "each vertex has a density, or none has");
+    for (std::size_t i = 0; i < count; ++i) require(!std::isnan(densities[i]), "a density is a number");
     umbilic_text obj{};
     answered(umbilic_mesh_obj(mesh_, &obj));
   }
@@ -317,7 +356,9 @@ class Caller {
   void ask_names() {
     const std::string_view terms = choices_.of(kTerms);
     const double ratio = (choices_.below(6) - 1) / 4.0;
+    require(umbilic_api_version() == UMBILIC_API_VERSION && umbilic_version()[0] != '\0', "the library has a version");
     expect_json([](umbilic_text* text) { return umbilic_cage_names(text); });
+    expect_json([](umbilic_text* text) { return umbilic_functional_names(text); });
     expect_json([&](umbilic_text* text) { return umbilic_torus_energies(ratio, text); });
     expect_json([&](umbilic_text* text) { return umbilic_torus_minimizer(terms.data(), terms.size(), text); });
   }

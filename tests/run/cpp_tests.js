@@ -13,7 +13,7 @@ import { expectSome, line, sum } from './tally.js';
 const minutesForOneExecutable = 15;
 
 /** @returns {string[]} the expected programs, one per folder of tests, with their names in tests/CMakeLists.txt */
-function executables() {
+export function executables() {
   const core = path.join(root, 'tests/core');
   const folders = existsSync(core)
     ? readdirSync(core, { withFileTypes: true }).filter((entry) => entry.isDirectory())
@@ -30,9 +30,11 @@ function hasTests(folder) {
   return readdirSync(folder, { recursive: true, encoding: 'utf8' }).some((name) => name.endsWith('_test.cpp'));
 }
 
+/** @typedef {'native' | 'sanitize' | 'coverage'} TestedPart */
+
 /**
  * Runs all C++ tests of one build. With sanitizers, leaves out tests with Slow in their name.
- * @param {'native' | 'sanitize'} part
+ * @param {TestedPart} part
  * @returns {Promise<Tally>}
  */
 export async function runCppTests(part) {
@@ -47,14 +49,15 @@ export async function runCppTests(part) {
 }
 
 /**
- * @param {'native' | 'sanitize'} part
+ * @param {TestedPart} part
  * @param {string} name
  * @returns {Promise<Tally>}
  */
 async function runExecutable(part, name) {
-  const folder = part === 'native' ? '' : 'sanitized';
-  const program = path.join(root, 'build/native/tests', folder, name);
-  const report = path.join(root, 'build/native/reports', folder, `${name}.json`);
+  const folder = path.join(root, 'build', part === 'sanitize' ? 'native' : part);
+  const below = part === 'sanitize' ? 'sanitized' : '';
+  const program = path.join(folder, 'tests', below, name);
+  const report = path.join(folder, 'reports', below, `${name}.json`);
   if (!existsSync(program)) {
     console.log(`${name}: not built`);
     return { passed: 0, failed: 1, skipped: 0 };

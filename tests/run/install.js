@@ -8,7 +8,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { output, root, run } from './process.js';
 
-/** @typedef {'native' | 'wasm' | 'lint' | 'browser' | 'fuzz'} Need */
+/** @typedef {'native' | 'wasm' | 'lint' | 'browser' | 'fuzz' | 'coverage'} Need */
 
 /** Whether clang has libFuzzer, whose folder is named by clang's version. */
 const hasFuzzer = () => {
@@ -35,6 +35,7 @@ export const tools = [
   { package: 'clang-format', program: 'clang-format', needs: ['lint'] },
   { package: 'clang', program: 'clang++', needs: ['fuzz'] },
   { package: 'libclang-rt-dev', found: hasFuzzer, needs: ['fuzz'] },
+  { package: 'gcovr', program: 'gcovr', needs: ['coverage'] },
   { package: 'chromium-headless-shell', program: 'chromium-headless-shell', needs: ['browser'] },
 ];
 

@@ -25,7 +25,7 @@ const suites = {
   sanitize: { parts: ['sanitize'], run: () => runCppTests('sanitize') },
   javascript: {
     parts: ['native', 'wasm', 'types'],
-    run: () => runJestTests('javascript', ['tests/cli', 'tests/wasm', 'tests/web']),
+    run: () => runJestTests('javascript', ['tests/cli', 'tests/hostile', 'tests/wasm', 'tests/web']),
   },
   browser: { parts: ['wasm', 'types', 'web'], run: () => runJestTests('browser', ['tests/browser'], ['--runInBand']) },
 };

@@ -146,6 +146,8 @@ TEST(GenerateCage, unknown_names_are_answered_with_the_known_ones) {
     EXPECT_EQ(message.rfind(std::string("there is no cage called ") + name + "; there are cube, torus, two-3, ", 0), 0u)
         << message;
   }
+  EXPECT_EQ(refusal_of(std::string("a\0\x1b[2J", 6), {}).rfind("there is no cage called a??[2J; there are ", 0), 0u)
+      << "what a terminal would obey is not printed";
 }
 
 TEST(GenerateCage, options_out_of_range_are_answered_with_the_range) {

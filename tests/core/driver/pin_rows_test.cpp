@@ -97,6 +97,14 @@ TEST(PinRows, refuse_what_the_cage_does_not_have) {
   EXPECT_EQ(message({}, cube()), "constraints.pins[1].vertex: expected either vertex, or face and uv");
 }
 
+TEST(PinRows, refuse_targets_beside_which_the_cage_has_no_digits_left) {
+  for (const double far : {1e16, -1e40, 1e308}) {
+    EXPECT_EQ(message({.vertex = 1, .at = Coordinates3{0, far, 0}}, cube()),
+              "constraints.pins[1].at[1]: too large for the cage");
+  }
+  EXPECT_EQ(message({.vertex = 1, .at = Coordinates3{0, 1e9, 0}}, cube()), "");
+}
+
 TEST(PinRows, that_contradict_each_other_are_named) {
   const RefinedCage cage = prepared(cube());
   const std::vector<HeldPoint> held =

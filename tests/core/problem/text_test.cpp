@@ -207,6 +207,7 @@ TEST(Text, left_out_members_have_their_defaults) {
 TEST(Text, errors_name_the_member) {
   const std::pair<std::string, std::string> cases[] = {
       {"", "line 1, column 1: the text ends too early, it is no JSON"},
+      {"{\"umbilic\": \"problem\",\n \"version\": 1e400}", "line 2, column 17: the number '1e400' is too large"},
       {"{\n  \"umbilic\": }", "line 2, column 14: this is no JSON, at '\"umbilic\": }'"},
       {"[1]", "expected an object, {\"umbilic\": \"problem\", …}"},
       {"{}", "umbilic: missing"},
