@@ -59,8 +59,7 @@ export async function configure(part) {
   const settings = {
     native: [],
     fuzz: ['-DCMAKE_CXX_COMPILER=clang++', '-DUMBILIC_FUZZ=ON'],
-    // Counters that threads may raise at once, in code whose lines the optimizer has not yet mixed.
-    coverage: ['-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG --coverage -fprofile-update=atomic'],
+    coverage: ['-DUMBILIC_COVERAGE=ON'],
     wasm: [`-DCMAKE_TOOLCHAIN_FILE=${emscriptenToolchain()}`],
   };
   const args = ['-S', '.', '-B', `build/${part}`, '-G', 'Ninja', '--log-level=WARNING', ...settings[part]];

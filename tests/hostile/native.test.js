@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Every row of the tables of hostile inputs ends as it says, natively and in WebAssembly, within its time and memory.
+ * @file Every row of the tables of hostile inputs ends in the program as it says, within its time and memory.
  */
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { load } from '../../wasm/umbilic.js';
+import { afterAll, describe, expect, test } from '@jest/globals';
 import { scratchFolder } from '../cli/program.js';
 import { runNatively } from './native.js';
-import { limits } from './row.js';
 import { families } from './rows.js';
 import { faults } from './verdict.js';
-import { runInWebAssembly } from './web_assembly.js';
 
 const scratch = scratchFolder();
 afterAll(scratch.dispose);
-
-/** @typedef {import('./web_assembly.js').FileRow} FileRow */
 
 const all = families.flatMap(([, rows]) => rows);
 
@@ -38,24 +33,6 @@ describe('the tables', () => {
   });
 });
 
-describe.each(families)('%s, natively', (_, rows) => {
+describe.each(families)('%s', (_, rows) => {
   test.each(rows)('$name', (row) => expect(faults(row, runNatively(row, scratch.folder))).toEqual([]));
-});
-
-describe('in WebAssembly', () => {
-  let before = 0;
-  beforeAll(async () => {
-    await load();
-    before = process.memoryUsage.rss();
-  });
-
-  describe.each(families)('%s', (_, rows) => {
-    const files = /** @type {FileRow[]} */ (rows.filter(({ kind }) => kind !== 'command'));
-    if (files.length) test.each(files)('$name', (row) => expect(faults(row, runInWebAssembly(row))).toEqual([]));
-  });
-
-  // The module's memory never shrinks: what one row took, the process still has.
-  test('all together take less memory than one may', () => {
-    expect((process.memoryUsage.rss() - before) / 2 ** 20).toBeLessThan(limits.megabytes);
-  });
 });
