@@ -33,7 +33,7 @@ function hasTests(folder) {
 /** @typedef {'native' | 'sanitize' | 'coverage'} TestedPart */
 
 /**
- * Runs all C++ tests of one build. With sanitizers, leaves out tests with Slow in their name.
+ * Runs all C++ tests of one build. With sanitizers or counters, leaves out tests with Slow in their name.
  * @param {TestedPart} part
  * @returns {Promise<Tally>}
  */
@@ -65,7 +65,7 @@ async function runExecutable(part, name) {
   mkdirSync(path.dirname(report), { recursive: true });
   rmSync(report, { force: true });
   const args = ['--gtest_brief=1', '--gtest_color=no', `--gtest_output=json:${report}`];
-  if (part === 'sanitize') args.push('--gtest_filter=-*Slow*');
+  if (part !== 'native') args.push('--gtest_filter=-*Slow*');
   const { code, text } = await capture(program, args, {
     minutes: minutesForOneExecutable,
     environment: { UBSAN_OPTIONS: 'print_stacktrace=1' },
