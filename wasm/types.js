@@ -38,6 +38,8 @@
  * @property {number} [max_iterations] per level; default 1000
  * @property {number} [tolerance] default 1e-6
  * @property {number} [accuracy] ends with the first level from which the limit is known within this part of it
+ * @property {boolean} [second_opinion] whether the report also has the energies as another way of computing finds them,
+ *   which takes seconds; default false
  * @property {boolean} [symmetry] whether the surface keeps the symmetry of the cage; default true
  * @property {MetricName} [metric] default 'auto'
  */
