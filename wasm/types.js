@@ -239,6 +239,13 @@
  */
 
 /**
+ * The integrals of the surface, computed in another way: `errors` is by how much they differ by a coarser rule of the same
+ * kind, `differences` the report's energies minus these. NaN where they diverge.
+ * @typedef {Record<FunctionalName | InvariantName | 'area' | 'gaussian', number>} OpinionValues
+ * @typedef {{values: OpinionValues, errors: OpinionValues, differences: OpinionValues, samples: number}} OpinionReport
+ */
+
+/**
  * @typedef {object} Report
  * @property {'report'} umbilic
  * @property {number} version of the text form
@@ -250,6 +257,7 @@
  * @property {LevelReport[]} levels
  * @property {Limit} limit
  * @property {Energies} energies
+ * @property {OpinionReport} [second_opinion] where the options ask for it
  * @property {ConstraintsReport} [constraints] where something is held, or the surface is open
  * @property {CertificateReport} [certificate]
  * @property {SurfaceState} surface

@@ -42,13 +42,13 @@ int run(const EvaluateArguments& arguments) {
   if (!input) return fail(kBadInput, input.error().message);
   const auto evaluation = evaluate(input->cage, arguments.cap, arguments.levels, arguments.second_opinion);
   if (!evaluation) return fail(kBadInput, fmt::format("{}: {}", input->name, evaluation.error().message));
-  const std::string text = arguments.json
-                               ? json(*input, arguments, *evaluation)
-                               : input_line(input->name, input->report) +
-                                     fmt::format("level {}, {} patches, cap {}\n", evaluation->level,
-                                                 evaluation->patches, name_of(arguments.cap)) +
-                                     energy_table(evaluation->energies, "bending") +
-                                     invariants_table(evaluation->energies) + opinion_table(evaluation->second_opinion) + credibility_lines(evaluation->energies);
+  const std::string text =
+      arguments.json ? json(*input, arguments, *evaluation)
+                     : input_line(input->name, input->report) +
+                           fmt::format("level {}, {} patches, cap {}\n", evaluation->level, evaluation->patches,
+                                       name_of(arguments.cap)) +
+                           energy_table(evaluation->energies, "bending") + invariants_table(evaluation->energies) +
+                           opinion_table(evaluation->second_opinion) + credibility_lines(evaluation->energies);
   if (!print(text)) return kCannotWrite;
   return evaluation->energies.credible() ? kEnded : kNotCredible;
 }

@@ -12,8 +12,8 @@ namespace umbilic {
 /// Takes some microseconds for each of several hundred points of each face.
 OpinionReport second_opinion(const RefinedCage& cage, CapKind cap, const EnergyReport& energies);
 
-/// The cage after `steps` further Catmull-Clark steps, whose points, where the cage is closed, another implementation of
-/// the step has found.
+/// The cage after `steps` further Catmull-Clark steps, whose points, where the cage is closed, another implementation
+/// of the step has found.
 RefinedCage refine_otherwise(RefinedCage cage, int steps);
 
 }  // namespace umbilic

@@ -30,7 +30,7 @@ class CharacteristicMap {
   void step();
 
   int valence_, reach_;
-  Complex turn_;                // one sector further
+  Complex turn_;                 // one sector further
   std::vector<Complex> sector_;  // (a, b) of sector 0 at (a - 1)(reach + 1) + b, a from 1, b from 0 to reach
 };
 

@@ -29,11 +29,11 @@ CornerWindow::CornerWindow(const PolygonMesh& mesh, const Points& control, int h
   const auto across = [&](int e) { return mesh.next(mesh.next(e)); };
   const int below = mesh.twin(mesh.next(right)), far = mesh.twin(mesh.previous(right));
   const int left = mesh.twin(mesh.previous(top));
-  *this = CornerWindow(point(mesh.origin(h)), std::move(spoke), std::move(diagonal),
-                       {point(mesh.target(across(below))), point(mesh.origin(across(right))),
-                        point(mesh.target(across(right))), point(mesh.origin(across(far))),
-                        point(mesh.origin(across(top))), point(mesh.target(across(top))),
-                        point(mesh.origin(across(left)))});
+  *this =
+      CornerWindow(point(mesh.origin(h)), std::move(spoke), std::move(diagonal),
+                   {point(mesh.target(across(below))), point(mesh.origin(across(right))),
+                    point(mesh.target(across(right))), point(mesh.origin(across(far))), point(mesh.origin(across(top))),
+                    point(mesh.target(across(top))), point(mesh.origin(across(left)))});
 }
 
 CornerWindow::CornerWindow(const Vector3& corner, std::vector<Vector3> spoke, std::vector<Vector3> diagonal,
@@ -66,8 +66,8 @@ void CornerWindow::step() {
   const auto edge_along_v = [&](int a, int b) { return mean(at(a, b), at(a, b + 1), face(a - 1, b), face(a, b)); };
   const auto vertex = [&](int a, int b) -> Vector3 {
     const Vector3 faces = mean(face(a, b), face(a - 1, b), face(a - 1, b - 1), face(a, b - 1));
-    const Vector3 edges = mean(mean(at(a, b), at(a + 1, b)), mean(at(a, b), at(a, b + 1)),
-                               mean(at(a, b), at(a - 1, b)), mean(at(a, b), at(a, b - 1)));
+    const Vector3 edges = mean(mean(at(a, b), at(a + 1, b)), mean(at(a, b), at(a, b + 1)), mean(at(a, b), at(a - 1, b)),
+                               mean(at(a, b), at(a, b - 1)));
     return (faces + 2 * edges + at(a, b)) / 4;
   };
   auto refined = grid_;

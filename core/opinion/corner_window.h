@@ -3,9 +3,9 @@
 /// The control points that the limit surface over one quad depends on, where one corner of the quad may have any
 /// valence; and their refinement towards that corner, by the rules for face, edge and vertex points.
 ///
-/// The quad is the square [0, 1]^2 of a grid with the corner at the origin. Sector j of N of the corner lies between the
-/// spokes j and j + 1; the quad is sector 0. Points of the other sectors that the surface does not depend on are not
-/// asked for.
+/// The quad is the square [0, 1]^2 of a grid with the corner at the origin. Sector j of N of the corner lies between
+/// the spokes j and j + 1; the quad is sector 0. Points of the other sectors that the surface does not depend on are
+/// not asked for.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ class CornerWindow {
   /// there keeps its digits.
   void step();
 
-  /// After a step: the control points of the quarters (i, j) = (1, 0), (0, 1) and (1, 1), which are regular, relative to
-  /// `corner`.
+  /// After a step: the control points of the quarters (i, j) = (1, 0), (0, 1) and (1, 1), which are regular, relative
+  /// to `corner`.
   Grid quarter(int i, int j) const;
   const Vector3& corner() const { return corner_; }
 
@@ -49,8 +49,8 @@ class CornerWindow {
   std::array<std::array<Vector3, 5>, 5> grid_{};  // (a, b) from -1 to 3; before a step to 2
 };
 
-/// The limit surface, without caps, at (u, v) of the face of h, u along h. The face has one extraordinary vertex at most;
-/// (u, v) is not there.
+/// The limit surface, without caps, at (u, v) of the face of h, u along h. The face has one extraordinary vertex at
+/// most; (u, v) is not there.
 TaylorPoint limit_point(const PolygonMesh& mesh, const Points& control, int h, double u, double v);
 
 /// The control points of a face whose corners and their faces are regular, u along h.

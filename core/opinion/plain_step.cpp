@@ -11,7 +11,7 @@ namespace umbilic::opinion {
 PlainStep plain_step(const Cage& cage) {
   PlainStep result;
   const auto at = [&](int v) -> Vector3 { return cage.vertices.row(v).transpose(); };
-  std::map<std::pair<int, int>, std::vector<Vector3>> beside;  // edge -> face points of its faces
+  std::map<std::pair<int, int>, std::vector<Vector3>> beside;      // edge -> face points of its faces
   std::vector<std::vector<Vector3>> around(cage.vertices.rows());  // vertex -> face points of its faces
   for (const std::vector<int>& face : cage.faces) {
     Vector3 sum = Vector3::Zero();

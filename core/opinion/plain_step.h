@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// One Catmull-Clark step of a closed cage as the paper of 1978 words it: face points, edge points, vertex points, found
-/// through maps of vertex pairs. It shares nothing with the half-edge mesh.
+/// One Catmull-Clark step of a closed cage as the paper of 1978 words it: face points, edge points, vertex points,
+/// found through maps of vertex pairs. It shares nothing with the half-edge mesh.
 #pragma once
 
 #include <map>

@@ -24,8 +24,8 @@ namespace {
 constexpr int kIntervals = 16;
 /// Pieces in each direction that a piece is cut into, with the paper's steep blend.
 constexpr int kFlatCuts = 4;
-/// Steps towards an extraordinary vertex. What is left then, or is less than kLeft of the face's integrals, is summed as
-/// a geometric series.
+/// Steps towards an extraordinary vertex. What is left then, or is less than kLeft of the face's integrals, is summed
+/// as a geometric series.
 constexpr int kMostSteps = 48, kLeastSteps = 3;
 constexpr double kLeft = 1e-10;
 /// Faces that are computed between two additions to the sums.
@@ -50,7 +50,8 @@ struct Plane {
 };
 
 /// The limit of the window's corner and its normal: after many steps the corner is at the limit and the first ring is
-/// an affine image of the characteristic map's, but for what its Fourier coefficients of the lowest frequency leave out.
+/// an affine image of the characteristic map's, but for what its Fourier coefficients of the lowest frequency leave
+/// out.
 Plane tangent_plane(CornerWindow window) {
   constexpr int kSteps = 60;
   for (int i = 0; i < kSteps; ++i) window.step();
@@ -212,9 +213,9 @@ Sums Integrator::at_corner(const Place& place) const {
     if (map) map->step();
     Sums here;
     for (const auto& [i, j] : {std::pair{1, 0}, {0, 1}, {1, 1}}) {
-      here.add(of_piece({window.quarter(i, j), window.corner(), map ? map->quarter(i, j) : Grid(), i * size, j * size,
-                         size},
-                        place, step < 2 ? cuts : 1));
+      here.add(
+          of_piece({window.quarter(i, j), window.corner(), map ? map->quarter(i, j) : Grid(), i * size, j * size, size},
+                   place, step < 2 ? cuts : 1));
     }
     total.add(here);
     Quantities rest{};
@@ -223,7 +224,8 @@ Sums Integrator::at_corner(const Place& place) const {
       const double ratio = here.fine[q] / before[q];
       if (ratio > 0 && ratio < 1) rest[q] = here.fine[q] * ratio / (1 - ratio);
       const double scale = std::abs(total.fine[q]) + 1e-10 * std::abs(total.fine[0]);
-      small = small && ((diverges_ && kQuantities[q].third_order) || std::abs(rest[q]) + std::abs(here.fine[q]) <= kLeft * scale);
+      small = small && ((diverges_ && kQuantities[q].third_order) ||
+                        std::abs(rest[q]) + std::abs(here.fine[q]) <= kLeft * scale);
     }
     before = here.fine;
     if (small || step + 1 == kMostSteps) {

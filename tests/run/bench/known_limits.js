@@ -26,7 +26,14 @@ function known(what, truth, doubt, terms, { cage, words, cap = 'smooth', levels 
     truth,
     doubt,
     cage: words,
-    problem: /** @type {any} */ ({ umbilic: 'problem', version: 1, cage, terms, ...constraints, options: { cap, levels } }),
+    problem: /** @type {any} */ ({
+      umbilic: 'problem',
+      version: 1,
+      cage,
+      terms,
+      ...constraints,
+      options: { cap, levels },
+    }),
   };
 }
 
@@ -96,7 +103,7 @@ const thirdOrder = [
 /** @type {Ask[]} */
 const otherSpheres = Object.entries(polyhedra).map(([words, cage]) => ({ cage, words }));
 const sphereRows = [
-  ...(/** @type {const} */ (['smooth', 'none', 'flat'])).map((cap) => sphere('bending', 8 * PI, { ...cube, cap })),
+  .../** @type {const} */ (['smooth', 'none', 'flat']).map((cap) => sphere('bending', 8 * PI, { ...cube, cap })),
   sphere('willmore', 4 * PI, cube),
   ...otherSpheres.map((ask) => sphere('bending', 8 * PI, ask)),
   sphere('bending', 8 * PI, { ...otherSpheres[0], cap: 'none' }),
