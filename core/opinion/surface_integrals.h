@@ -3,13 +3,13 @@
 /// A second opinion on the integrals of a surface: the same surface, evaluated, differentiated and integrated in other
 /// ways than in core/surface and core/energy, of which it uses nothing. Slow, and made to be believed.
 ///
-/// what           | core/surface, core/energy                        | here
-/// limit surface  | powers of a matrix on a ring net                 | averages of points around the vertex, step by step
-/// char. map      | power iteration on the ring net                  | the same in complex numbers, on one sector
-/// caps           | rows of a linear map                             | X = S + b (Q - S) in truncated power series
-/// densities      | second fundamental form, covariant derivative    | eigenvalues of the normal's derivative
-/// quadrature     | Gauss & Legendre, some graded levels             | Clenshaw & Curtis, graded until nothing is left
-/// symmetry       | one patch of each orbit                          | all faces
+/// what         | core/surface, core/energy                     | here
+/// S            | powers of a matrix on a ring net              | averages of points around the vertex
+/// char. map    | power iteration on the ring net               | the same in complex numbers, on one sector
+/// caps         | rows of a linear map                          | X = S + b (Q - S) in truncated power series
+/// densities    | second fundamental form, covariant derivative | eigenvalues of the normal's derivative
+/// quadrature   | Gauss & Legendre, some graded levels          | Clenshaw & Curtis, graded until nothing is left
+/// symmetry     | one patch of each orbit                       | all faces
 ///
 /// What they share are the half-edges of the mesh, and what defines a surface: its control points (and where an open
 /// surface's ghosts begin), which vertices have which caps, and the coefficients of the caps' polynomials, which are a
