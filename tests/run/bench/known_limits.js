@@ -54,7 +54,9 @@ const polyhedra = {
   ),
   'pentagonal prism': obj(
     [0.8, -0.8].flatMap((z) =>
-      [0, 1, 2, 3, 4].map((i) => [cos((2 * PI * i) / 5), Math.sin((2 * PI * i) / 5), z].map((x) => Number(x.toFixed(6)))),
+      [0, 1, 2, 3, 4].map((i) =>
+        [cos((2 * PI * i) / 5), Math.sin((2 * PI * i) / 5), z].map((x) => Number(x.toFixed(6))),
+      ),
     ),
     [[0, 1, 2, 3, 4], [9, 8, 7, 6, 5], ...[0, 1, 2, 3, 4].map((i) => [i, 5 + i, 5 + ((i + 1) % 5), (i + 1) % 5])],
   ),
