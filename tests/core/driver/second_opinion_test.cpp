@@ -16,8 +16,8 @@
 namespace umbilic {
 namespace {
 
-/// All differences are within `second` and `third`, relative to the values. The invariants are odd, and may vanish:
-/// they are compared with the least even functional of their kind.
+/// All differences are within `second` and `third`, relative to the values. The invariants are odd, and may nearly
+/// cancel: of them the second opinion's own error is allowed, too.
 void expect_agreement(const OpinionReport& opinion, double second, double third, bool umbilics = true) {
   const OpinionValues &values = opinion.values, &differences = opinion.differences;
   for (int i = 0; i < kFunctionalCount; ++i) {
@@ -34,7 +34,8 @@ void expect_agreement(const OpinionReport& opinion, double second, double third,
   EXPECT_NEAR(differences.gaussian, 0, second * values.functionals[kBending]);
   for (int i = 0; i < kInvariantCount; ++i) {
     if (std::isnan(values.invariants[i])) continue;
-    EXPECT_NEAR(differences.invariants[i], 0, 5 * third * std::abs(values.invariants[i])) << kInvariantNames[i];
+    const double own = opinion.errors.invariants[i];
+    EXPECT_NEAR(differences.invariants[i], 0, third * std::abs(values.invariants[i]) + own) << kInvariantNames[i];
   }
 }
 
@@ -46,22 +47,21 @@ OpinionReport opinion_of(const std::string& cage, CapKind cap, int level) {
 /// The tolerances are the errors of the reporting rule: the second opinion's own are far smaller, except for mvs and
 /// mvs_cross, whose integrands jump at umbilic points, of which a cube has many.
 TEST(SecondOpinion, agrees_with_the_main_evaluation_of_smooth_caps) {
-  for (const int level : {1, 2}) {
-    expect_agreement(opinion_of("cube", CapKind::kSmooth, level), 1e-7, 1e-3);
-    expect_agreement(opinion_of("two-3", CapKind::kSmooth, level), 1e-5, 1e-3);
-  }
+  for (const int level : {1, 2}) expect_agreement(opinion_of("cube", CapKind::kSmooth, level), 1e-7, 1e-3);
+  expect_agreement(opinion_of("two-3", CapKind::kSmooth, 1), 1e-5, 3e-3);
 }
 
 TEST(SecondOpinion, agrees_without_caps_and_diverges_where_that_does) {
   expect_agreement(opinion_of("cube", CapKind::kNone, 1), 1e-8, 0);
-  expect_agreement(opinion_of("two-3", CapKind::kNone, 1), 1e-5, 0);
 }
 
 TEST(SecondOpinion, agrees_with_flat_caps_where_integrands_do_not_jump_at_umbilics) {
-  expect_agreement(opinion_of("cube", CapKind::kFlat, 2), 1e-6, 1e-4, false);
+  expect_agreement(opinion_of("cube", CapKind::kFlat, 1), 1e-6, 1e-4, false);
 }
 
-TEST(SecondOpinionSlow, agrees_on_the_octahedron_s_frame) {
+TEST(SecondOpinionSlow, agrees_on_the_frames_of_genus_two_and_of_the_octahedron) {
+  expect_agreement(opinion_of("two-3", CapKind::kNone, 1), 1e-5, 0);
+  expect_agreement(opinion_of("two-3", CapKind::kSmooth, 2), 1e-6, 3e-3);
   expect_agreement(opinion_of("octahedron-frame", CapKind::kSmooth, 2), 1e-5, 1e-3);
   expect_agreement(opinion_of("octahedron-frame", CapKind::kFlat, 1), 1e-4, 1e-3, false);
 }
