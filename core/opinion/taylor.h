@@ -51,7 +51,7 @@ struct Taylor {
     return product;
   }
   friend Taylor operator*(Taylor a, double b) {
-    for (double& c : a.c) c *= b;
+    for (double& coefficient : a.c) coefficient *= b;
     return a;
   }
   friend Taylor operator*(double a, const Taylor& b) { return b * a; }
