@@ -38,6 +38,8 @@
  * @property {number} [max_iterations] per level; default 1000
  * @property {number} [tolerance] default 1e-6
  * @property {number} [accuracy] ends with the first level from which the limit is known within this part of it
+ * @property {boolean} [second_opinion] whether the report also has the energies as another way of computing finds them,
+ *   which takes seconds; default false
  * @property {boolean} [symmetry] whether the surface keeps the symmetry of the cage; default true
  * @property {MetricName} [metric] default 'auto'
  */
@@ -237,6 +239,13 @@
  */
 
 /**
+ * The integrals of the surface, computed in another way: `errors` is by how much they differ by a coarser rule of the same
+ * kind, `differences` the report's energies minus these. NaN where they diverge.
+ * @typedef {Record<FunctionalName | InvariantName | 'area' | 'gaussian', number>} OpinionValues
+ * @typedef {{values: OpinionValues, errors: OpinionValues, differences: OpinionValues, samples: number}} OpinionReport
+ */
+
+/**
  * @typedef {object} Report
  * @property {'report'} umbilic
  * @property {number} version of the text form
@@ -248,6 +257,7 @@
  * @property {LevelReport[]} levels
  * @property {Limit} limit
  * @property {Energies} energies
+ * @property {OpinionReport} [second_opinion] where the options ask for it
  * @property {ConstraintsReport} [constraints] where something is held, or the surface is open
  * @property {CertificateReport} [certificate]
  * @property {SurfaceState} surface

@@ -27,6 +27,7 @@ struct EvaluateArguments {
   int levels = 0;
   int threads = hardware_threads();
   bool json = false;
+  bool second_opinion = false;
 };
 
 std::string json(const CageFile& input, const EvaluateArguments& arguments, const EvaluationReport& evaluation) {
@@ -39,15 +40,15 @@ int run(const EvaluateArguments& arguments) {
   use_threads(arguments.threads);
   const auto input = load_cage(arguments.cage);
   if (!input) return fail(kBadInput, input.error().message);
-  const auto evaluation = evaluate(input->cage, arguments.cap, arguments.levels);
+  const auto evaluation = evaluate(input->cage, arguments.cap, arguments.levels, arguments.second_opinion);
   if (!evaluation) return fail(kBadInput, fmt::format("{}: {}", input->name, evaluation.error().message));
-  const std::string text = arguments.json
-                               ? json(*input, arguments, *evaluation)
-                               : input_line(input->name, input->report) +
-                                     fmt::format("level {}, {} patches, cap {}\n", evaluation->level,
-                                                 evaluation->patches, name_of(arguments.cap)) +
-                                     energy_table(evaluation->energies, "bending") +
-                                     invariants_table(evaluation->energies) + credibility_lines(evaluation->energies);
+  const std::string text =
+      arguments.json ? json(*input, arguments, *evaluation)
+                     : input_line(input->name, input->report) +
+                           fmt::format("level {}, {} patches, cap {}\n", evaluation->level, evaluation->patches,
+                                       name_of(arguments.cap)) +
+                           energy_table(evaluation->energies, "bending") + invariants_table(evaluation->energies) +
+                           opinion_table(evaluation->second_opinion) + credibility_lines(evaluation->energies);
   if (!print(text)) return kCannotWrite;
   return evaluation->energies.credible() ? kEnded : kNotCredible;
 }
@@ -67,6 +68,8 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
           "Catmull-Clark steps before evaluating; raised when the cage needs more [0]")
       ->type_name("N")
       ->check(checked(parse_level));
+  command->add_flag("--second-opinion", arguments->second_opinion,
+                    "Compute all energies in another way, too, which takes seconds, and print both");
   add_threads_option(*command, arguments->threads);
   add_json_flag(*command, arguments->json);
   command->footer(functional_help());

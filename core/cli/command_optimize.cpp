@@ -105,6 +105,7 @@ std::string table(const Ending& ending) {
          (options.accuracy ? accuracy_line(run.limit(), *options.accuracy) : "") +
          (ending.certificate ? certificate_line(*ending.certificate, run.group()) : "") +
          result_line(run.levels(), run.result()) + energy_table(run.energies(), objective) +
+         (options.second_opinion ? opinion_table(run.second_opinion()) : "") +
          (constraints ? constraints_table(*constraints) : "") + credibility_lines(run.energies());
 }
 

@@ -173,6 +173,10 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
              "or X%; at most six levels",
              parse_accuracy, [](Problem& problem, double accuracy) { problem.options.accuracy = accuracy; });
   command.add_flag(
+      "--second-opinion",
+      [changes](std::int64_t) { changes->push_back([](Problem& problem) { problem.options.second_opinion = true; }); },
+      "Compute the energies of the result in another way, too, which takes seconds");
+  command.add_flag(
       "--no-symmetry",
       [changes](std::int64_t) { changes->push_back([](Problem& problem) { problem.options.symmetry = false; }); },
       "Let the surface leave the cage's symmetry");

@@ -122,6 +122,25 @@ std::string invariants_table(const EnergyReport& energies) {
   return text;
 }
 
+std::string opinion_table(const std::optional<OpinionReport>& opinion) {
+  if (!opinion) return "";
+  std::string text = fmt::format("second opinion, of {:.0f} points              value    difference    its own error\n",
+                                 opinion->samples);
+  const auto line = [&](std::string_view name, double value, double difference, double error) {
+    if (!std::isfinite(value)) return;
+    text += fmt::format("  {:<24} {:>16}   {:>11.1e}   {:>14.1e}\n", name, fmt::format("{:.10g}", value), difference,
+                        error);
+  };
+  const auto &values = opinion->values, &differences = opinion->differences, &errors = opinion->errors;
+  for (int i = 0; i < kFunctionalCount; ++i)
+    line(kFunctionalNames[i], values.functionals[i], differences.functionals[i], errors.functionals[i]);
+  line("area", values.area, differences.area, errors.area);
+  line("gaussian", values.gaussian, differences.gaussian, errors.gaussian);
+  for (int i = 0; i < kInvariantCount; ++i)
+    line(kInvariantNames[i], values.invariants[i], differences.invariants[i], errors.invariants[i]);
+  return text;
+}
+
 std::string constraints_table(const ConstraintsReport& report) {
   const auto pull_words = [](const std::array<double, 3>& pull, double strength) {
     return fmt::format("pulls with {:.6g} per length, ({:.6g}, {:.6g}, {:.6g})", strength, pull[0], pull[1], pull[2]);

@@ -3,6 +3,7 @@
 /// Reports as tables for human readers.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,8 @@ std::string group_words(const GroupReport& group);
 std::string credibility_lines(const EnergyReport& energies);
 /// The invariants that are no functionals; empty where the report does not have them.
 std::string invariants_table(const EnergyReport& energies);
+/// What another way of computing finds; empty where none was asked for.
+std::string opinion_table(const std::optional<OpinionReport>& opinion);
 /// "energies of the last level", or of the level that is better.
 /// What constraints do to the surface; lengths in the units of the file.
 std::string constraints_table(const ConstraintsReport& report);

@@ -9,6 +9,7 @@
 
 #include "driver/input_rounding.h"
 #include "driver/run.h"
+#include "driver/second_opinion.h"
 #include "driver/surface.h"
 #include "mesh/hierarchy.h"
 
@@ -30,7 +31,7 @@ double central_difference(const F& f, double h) {
 
 }  // namespace
 
-Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels) {
+Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels, bool opinion) {
   Result<RefinedCage> prepared = prepare(cage, levels, false);
   if (!prepared) return prepared.error();
   const int steps = std::max(levels, required_level(prepared->mesh).value());
@@ -42,6 +43,7 @@ Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels) {
     return Error{"the surface shrinks to a curve or a point somewhere: it has no energies"};
   }
   report.energies.input_rounding = input_rounding(*prepared, cage.vertices, surface, report.energies);
+  if (opinion) report.second_opinion = second_opinion(refine_otherwise(*prepared, steps), cap, report.energies);
   return report;
 }
 

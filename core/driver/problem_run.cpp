@@ -23,6 +23,7 @@ Report ProblemRun::report() const {
   report.levels = run.levels();
   report.limit = run.limit();
   report.energies = run.energies();
+  if (problem.options.second_opinion) report.second_opinion = run.second_opinion();
   report.constraints = run.constraints();
   report.surface = run.state();
   return report;

@@ -20,6 +20,7 @@
 #include "driver/level.h"
 #include "driver/memory.h"
 #include "driver/retarget.h"
+#include "driver/second_opinion.h"
 #include "driver/surface_state.h"
 #include "driver/tessellate.h"
 #include "mesh/coordinates.h"
@@ -51,6 +52,7 @@ struct Run::State {
   std::optional<ClosenessSearch> search;
   std::optional<double> fixed_area;              // see Surface
   mutable std::optional<EnergyReport> energies;  // cached for the current best surface
+  mutable std::optional<OpinionReport> opinion;  // of the current best surface, while it stays
   mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
   LevelOptions level_options() const {
@@ -64,6 +66,7 @@ struct Run::State {
     if (!energies) {
       energies = level->surface().report(level->best());
       written.reset();
+      opinion.reset();
     }
     return *energies;
   }
@@ -80,6 +83,16 @@ struct Run::State {
   Cage control_mesh() const {
     const RefinedCage refined = level->best_cage();
     return to_cage(refined.mesh, refined.placement.back(refined.control));
+  }
+
+  const OpinionReport& second_opinion() const {
+    const EnergyReport& exact = report_energies();
+    if (!opinion) {
+      RefinedCage surface = level->surface().cage();
+      surface.control = level->best();
+      opinion = umbilic::second_opinion(surface, options.cap, exact);
+    }
+    return *opinion;
   }
 
   /// Of the surface as it is written.
@@ -207,6 +220,7 @@ struct Run::State {
       level = std::move(best->level);
       energies = best->energies;
       written.reset();
+      opinion.reset();
       progress.phase = Phase::kDone;
       update_progress();
     } else {
@@ -332,6 +346,8 @@ int Run::patches() const { return state_->level->surface().mesh().surface_face_c
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
 const LevelReport& Run::result() const { return state_->levels[state_->result]; }
 const EnergyReport& Run::energies() const { return state_->written_energies(); }
+
+const OpinionReport& Run::second_opinion() const { return state_->second_opinion(); }
 
 GroupReport Run::group() const {
   const SymmetryGroup& group = state_->level->surface().symmetry();

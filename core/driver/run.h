@@ -105,6 +105,10 @@ class Run {
   /// those of `control_mesh`, whose coordinates are rounded to where they lie; the levels' energies are not.
   const EnergyReport& energies() const;
 
+  /// What another way of computing finds of the best surface so far; see driver/second_opinion.h. Costs far more than
+  /// an evaluation; cached until the surface changes.
+  const OpinionReport& second_opinion() const;
+
   /// The best surface so far, `density` >= 1 quads along each edge of a patch. Fails where the mesh would take more
   /// than kMostMeshBytes (driver/memory.h), and names the largest density that would not.
   /// With weights it has the densities of their functionals (driver/tessellate.h), which need not be those that are
@@ -118,8 +122,9 @@ class Run {
 };
 
 /// All energies of the cage's surface after `levels` Catmull-Clark steps (raised when the cage needs more). Fails as
-/// `Run::create`, and where a part of the surface is a curve or a point, which has no curvature.
-Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels);
+/// `Run::create`, and where a part of the surface is a curve or a point, which has no curvature. With `opinion` the
+/// report also has what another way of computing finds (driver/second_opinion.h), from the cage on.
+Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels, bool opinion = false);
 
 /// Compares the analytic gradient along random directions with central differences of the energy, on the cage's surface
 /// at the first evaluable level. Fails as `Run::create`.

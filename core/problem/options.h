@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
 #include "energy/functional.h"
 #include "problem/metric_choice.h"
@@ -20,6 +21,7 @@ struct RunOptions {
   double tolerance = 1e-6;    ///< >= 0: see StopReason::kConverged
   bool symmetry = true;       ///< whether the surface keeps the cage's symmetry
   MetricChoice metric = MetricChoice::kAutomatic;
+  bool second_opinion = false;  ///< whether the report has the energies as another way of computing finds them, too
   std::optional<double> accuracy{};  ///< in (0, 1): chooses the last level and the tolerance, see Run::create
 
   template <class Visit, class Self>
@@ -32,6 +34,10 @@ struct RunOptions {
           "A level ends when the decrease still predicted is below tolerance * max(energy, 1e-6 * 8 pi)");
     visit("symmetry", self.symmetry, "Whether the surface keeps the symmetry of the cage");
     visit("metric", self.metric, "What the optimizer measures steps with");
+    if (!std::is_const_v<Self> || self.second_opinion) {
+      visit("second_opinion", self.second_opinion,
+            "Whether the report also has the energies as another way of computing finds them, which takes seconds");
+    }
     visit("accuracy", self.accuracy,
           "Ends with the first level from which the limit is known within this part of it: the last of levels does not "
           "count, and the tolerance is the greater of the given one and a fiftieth of this");

@@ -349,16 +349,51 @@ struct ConstraintsReport {
   }
 };
 
+/// A value for each integral that a second opinion has.
+struct OpinionValues {
+  std::array<double, kFunctionalCount> functionals = unknown_values<kFunctionalCount>();
+  std::array<double, kInvariantCount> invariants = unknown_values<kInvariantCount>();
+  double area = std::numeric_limits<double>::quiet_NaN();
+  double gaussian = std::numeric_limits<double>::quiet_NaN();
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    constexpr std::string_view kNull = "Null where it diverges";
+    for (int i = 0; i < kFunctionalCount; ++i) visit(kFunctionalNames[i], self.functionals[i], kNull);
+    for (int i = 0; i < kInvariantCount; ++i) visit(kInvariantNames[i], self.invariants[i], kNull);
+    visit("area", self.area, "Area of the surface");
+    visit("gaussian", self.gaussian, "Integral of the Gaussian curvature");
+  }
+};
+
+/// The same integrals of the same surface, computed in another way: see core/opinion/surface_integrals.h.
+struct OpinionReport {
+  OpinionValues values;
+  OpinionValues errors;
+  OpinionValues differences;
+  double samples = 0;
+
+  template <class Visit, class Self>
+  static void members(Visit&& visit, Self& self) {
+    visit("values", self.values, "Of the whole surface");
+    visit("errors", self.errors, "By how much these values differ by a coarser rule of the same kind");
+    visit("differences", self.differences, "The report's energies minus these values");
+    visit("samples", self.samples, "Number of points that were evaluated");
+  }
+};
+
 struct EvaluationReport {
   int level = 0;
   int patches = 0;
   EnergyReport energies;
+  std::optional<OpinionReport> second_opinion{};  ///< where it was asked for
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("level", self.level, "Catmull-Clark steps from the cage to the mesh that was evaluated");
     visit("patches", self.patches, "Its faces");
     visit("energies", self.energies, "Of the surface as it is");
+    visit("second_opinion", self.second_opinion, "The same integrals, computed in another way");
   }
 };
 
@@ -396,6 +431,7 @@ struct Report {
   std::vector<LevelReport> levels;
   LimitReport limit;
   EnergyReport energies;
+  std::optional<OpinionReport> second_opinion;
   std::optional<ConstraintsReport> constraints;
   std::optional<CertificateReport> certificate;
   std::optional<SurfaceState> surface;
@@ -410,6 +446,8 @@ struct Report {
     visit("levels", self.levels, "Those that have ended, in order");
     visit("limit", self.limit, "What the levels say about the limit of their energies");
     visit("energies", self.energies, "Of the best surface, by the reporting rule");
+    visit("second_opinion", self.second_opinion,
+          "The same integrals, computed in another way, where the options ask for it");
     visit("constraints", self.constraints, "What the constraints do, where there are any");
     visit("certificate", self.certificate, "Whether the surface is a minimum among all surfaces near it");
     visit("surface", self.surface, "The best surface, where the problem goes on");

@@ -21,12 +21,16 @@ export const linked = {
   solve: ['base'],
   optimize: ['energy', 'solve'],
   problem: ['optimize'],
-  driver: ['problem'],
+  opinion: ['mesh'],
+  driver: ['problem', 'opinion'],
   catalog: ['driver'],
   cli: ['catalog'],
 };
 
 export const layers = Object.keys(linked);
+
+/** The layer of second implementations, with which the tests of every layer may compare. */
+const forComparison = 'opinion';
 
 /** @param {string} layer @returns {Set<string>} what it may include */
 function visibleFrom(layer) {
@@ -69,6 +73,7 @@ export function upwardIncludes(files) {
       continue;
     }
     const visible = visibleFrom(layer);
+    if (isTest) visible.add(forComparison);
     for (const { name, quoted } of includes(text)) {
       const other = name.split('/')[0];
       const isLayer = layers.includes(other);

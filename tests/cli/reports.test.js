@@ -192,3 +192,47 @@ describe('numbers', () => {
     expect(umbilic(['evaluate', 'frame.obj', '--json'], { folder: scratch.folder, environment })).toEqual(here);
   });
 });
+
+describe('a second opinion', () => {
+  test('of a surface as it is stands beside its energies and agrees with them', () => {
+    const { energies, second_opinion } = jsonOf(['evaluate', 'torus.obj', '--second-opinion', '--json'], scratch);
+    for (const name of energyNames) {
+      const difference = energies[name] - second_opinion.values[name];
+      expect(second_opinion.differences[name]).toBeCloseTo(difference, 9);
+      expect(Math.abs(difference)).toBeLessThan(1e-5 * Math.abs(energies[name]) + 1e-10);
+      expect(second_opinion.errors[name]).toBeGreaterThanOrEqual(0);
+    }
+    for (const name of invariants) expect(second_opinion.values[name]).toBeCloseTo(energies.invariants[name], 0);
+    expect(second_opinion.samples).toBe(48 * 17 * 17);
+  });
+
+  test('has no third order where there is no cap', () => {
+    const args = ['evaluate', 'cube.obj', '--cap', 'none', '--second-opinion'];
+    const { values, differences } = jsonOf([...args, '--json'], scratch).second_opinion;
+    expect(values.mvs_cross).toBeNull();
+    expect(Math.abs(differences.bending)).toBeLessThan(1e-6 * values.bending);
+    const table = outputOf(args, scratch).split('second opinion')[1];
+    expect(table).toMatch(/^, of \d+ points {2,}value {2,}difference {2,}its own error\n {2}bending +25\.49\d+ /);
+    expect(table).not.toContain('mvs');
+  });
+
+  test('of a run is in its table and its report, and the problem of that asks for it again', () => {
+    const args = [
+      'optimize',
+      'frame.obj',
+      '--functional',
+      'bending',
+      '--levels',
+      '0..0',
+      '--quiet',
+      '--second-opinion',
+    ];
+    const report = jsonOf([...args, '--report', '-'], scratch);
+    expect(report.problem.options.second_opinion).toBe(true);
+    const { values, differences } = report.second_opinion;
+    expect(values.bending + differences.bending).toBeCloseTo(report.energies.bending, 9);
+    expect(outputOf(args, scratch)).toContain('second opinion, of ');
+    const plain = outputOf([...args.slice(0, -1), '--print-problem'], scratch);
+    expect(plain).not.toContain('second_opinion');
+  });
+});

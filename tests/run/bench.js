@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file `npm run bench`: builds the benchmark natively and for WebAssembly, runs the given subjects (`npm run bench --
- * shapes metrics`; by default all but the quadrature rules), prints their tables and writes build/bench.json. `npm run
- * bench -- readme` copies the last results into tests/bench/README.md.
+ * shapes metrics`; by default all but the quadrature rules and the known limits), prints their tables and writes
+ * build/bench.json and build/limits.json. `npm run bench -- readme` copies the last results into tests/bench/README.md and
+ * tests/bench/known_limits.md.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as evolver from './bench/beside_evolver.js';
+import * as limits from './bench/limits.js';
 import * as metrics from './bench/metrics.js';
 import * as overhead from './bench/overhead.js';
 import * as quadrature from './bench/quadrature.js';
@@ -28,17 +30,22 @@ import { root } from './process.js';
  */
 
 /** In the order of the tables. @type {Record<string, Subject>} */
-const subjects = { throughput, shapes, metrics, overhead, scaling, threads, evolver, quadrature };
-const byDefault = Object.keys(subjects).filter((name) => name !== 'quadrature');
-const results = path.join(root, 'build/bench.json');
+const subjects = { throughput, shapes, metrics, overhead, scaling, threads, evolver, quadrature, limits };
+const byDefault = Object.keys(subjects).filter((name) => !['quadrature', 'limits'].includes(name));
 const readme = path.join(root, 'tests/bench/README.md');
 
-/** @returns {Record<string, any>} the results of all runs so far, by subject */
-const lastResults = () => (existsSync(results) ? JSON.parse(readFileSync(results, 'utf8')) : {});
+/** Where a table of its own stands. */
+const limitsPage = path.join(root, 'tests/bench/known_limits.md');
 
-/** @returns {string} the summaries of all subjects that were measured */
+/** @param {string} subject @returns {string} the file of its results */
+const resultsOf = (subject) => path.join(root, 'build', subject === 'limits' ? 'limits.json' : 'bench.json');
+
+/** @param {string} file @returns {Record<string, any>} the results of all runs so far, by subject */
+const lastResults = (file) => (existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : {});
+
+/** @returns {string} the summaries of all subjects that were measured and are in the benchmark's README */
 function summaries() {
-  const all = lastResults();
+  const all = lastResults(resultsOf('throughput'));
   return Object.entries(subjects)
     .filter(([name]) => name in all)
     .flatMap(([name, subject]) => subject.summary(all[name]))
@@ -47,9 +54,16 @@ function summaries() {
 }
 
 const wanted = process.argv.slice(2);
+/** Replaces what a page says between its marks. @param {string} file @param {string} mark @param {string} text */
+function rewrite(file, mark, text) {
+  const before = readFileSync(file, 'utf8');
+  writeFileSync(file, replaceBetween(before, `<!-- ${mark}: begin -->`, `<!-- ${mark}: end -->`, `\n${text}`));
+}
+
 if (wanted.join() === 'readme') {
-  const text = readFileSync(readme, 'utf8');
-  writeFileSync(readme, replaceBetween(text, '<!-- bench: begin -->', '<!-- bench: end -->', `\n${summaries()}`));
+  const known = lastResults(resultsOf('limits')).limits;
+  if (summaries()) rewrite(readme, 'bench', summaries());
+  if (known) rewrite(limitsPage, 'limits', limits.summary(known).map(markdownTable).join('\n'));
   process.exit();
 }
 const unknown = wanted.find((name) => !(name in subjects));
@@ -57,14 +71,18 @@ if (unknown) {
   console.error(`${unknown} is none of ${Object.keys(subjects).join(', ')}, readme`);
   process.exit(2);
 }
-if (!(await installTools('native', 'wasm')) || !(await installPackages())) process.exit(1);
-if (!(await build('native', 'umbilic', 'umbilic_bench')) || !(await build('wasm', 'umbilic_bench'))) process.exit(1);
+const programs = wanted.join() !== 'limits';
+if (!(await installTools('native', ...(programs ? /** @type {const} */ (['wasm']) : []))) || !(await installPackages()))
+  process.exit(1);
+if (!(await build('native', 'umbilic', ...(programs ? ['umbilic_bench'] : [])))) process.exit(1);
+if (programs && !(await build('wasm', 'umbilic_bench'))) process.exit(1);
 for (const name of wanted.length ? wanted : byDefault) {
   const start = performance.now();
   const measured = await subjects[name].measure();
   for (const table of subjects[name].tables(measured)) console.log(plainTable(table));
-  writeFileSync(results, JSON.stringify({ ...lastResults(), [name]: measured }));
+  const results = resultsOf(name);
+  writeFileSync(results, JSON.stringify({ ...lastResults(results), [name]: measured }));
+  console.error(`Results: ${path.relative(process.cwd(), results)}`);
   console.error(`${name}: measured in ${((performance.now() - start) / 1000).toFixed(0)} s`);
 }
-console.log(`For tests/bench/README.md (\`npm run bench -- readme\` puts it there):\n\n${summaries()}`);
-console.error(`All results: ${path.relative(process.cwd(), results)}`);
+if (programs) console.log(`For tests/bench/README.md (\`npm run bench -- readme\` puts it there):\n\n${summaries()}`);

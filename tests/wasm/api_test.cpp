@@ -94,6 +94,18 @@ TEST(Api, extrapolates_from_three_evaluable_levels) {
   EXPECT_LE(std::abs(three.energy - 8 * M_PI), three.error) << "the sphere's energy";
 }
 
+TEST(Api, has_a_second_opinion_in_the_report_where_the_problem_asks_for_it) {
+  Problem problem = bending_of("cube");
+  EXPECT_FALSE(report_of(finished(problem)).second_opinion.has_value());
+  problem.options.second_opinion = true;
+  const Report report = report_of(finished(problem));
+  ASSERT_TRUE(report.second_opinion.has_value());
+  EXPECT_TRUE(report.problem.options.second_opinion);
+  const double bending = report.second_opinion->values.functionals[kBending];
+  EXPECT_NEAR(bending, report.energies.functionals[kBending], 1e-5 * bending);
+  EXPECT_NEAR(report.second_opinion->differences.functionals[kBending], 0, 1e-5 * bending);
+}
+
 TEST(Api, counts_the_levels_and_evaluations_of_a_run_as_it_goes) {
   umbilic_run* run = begun(bending_of("cube", 1, 2));
   EXPECT_NE(part(run, UMBILIC_PART_PROGRESS).find(R"("phase":"prepare","level":1,"ended_levels":0)"),

@@ -94,7 +94,7 @@ export function catalog() {
   };
 }
 
-/** @returns {Required<Omit<import('../../wasm/types.js').Options, 'accuracy'>>} */
+/** @returns {Required<Omit<import('../../wasm/types.js').Options, 'accuracy' | 'second_opinion'>>} */
 const options = () => ({
   cap: 'smooth',
   levels: [0, 4],

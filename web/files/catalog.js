@@ -41,7 +41,7 @@
  * @property {number | null} exact the infimum among surfaces of this symmetry, if it is known in theory
  * @property {string} [exact_source]
  * @property {Group} group
- * @property {Required<Omit<Options, 'accuracy'>>} settings
+ * @property {Required<Omit<Options, 'accuracy' | 'second_opinion'>>} settings
  * @property {EntryEnergies} energies energies of the last level's surface
  * @property {EntryLevel[]} levels
  * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null, lower?: number | null}} limit

@@ -8,6 +8,7 @@
 
 #include "energy/density_values.h"
 #include "energy/taylor.h"
+#include "surface/derivatives.h"
 
 namespace umbilic::test {
 namespace {

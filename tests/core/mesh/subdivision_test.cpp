@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <map>
 
-#include "mesh/naive_catmull_clark.h"
 #include "mesh/rough_cages.h"
+#include "opinion/plain_step.h"
 
 namespace umbilic::test {
 namespace {
@@ -40,17 +40,17 @@ TEST(CatmullClark, the_matrix_equals_face_edge_and_vertex_points_computed_from_t
   for (const Cage& cage : rough_polyhedra()) {
     const PolygonMesh mesh(cage);
     const Points refined = catmull_clark(mesh).stencil * cage.vertices;
-    const NaiveRefinement naive = naive_catmull_clark(cage);
+    const opinion::PlainStep plain = opinion::plain_step(cage);
     const auto expect_row = [&](int row, const Vector3& expected) {
       EXPECT_LT((refined.row(row).transpose() - expected).norm(), 1e-14) << "row " << row;  // sums of about 10 terms
     };
     ASSERT_EQ(refined.rows(), mesh.vertex_count() + mesh.edge_count() + mesh.face_count());
-    for (int v = 0; v < mesh.vertex_count(); ++v) expect_row(v, naive.vertex_points[v]);
+    for (int v = 0; v < mesh.vertex_count(); ++v) expect_row(v, plain.vertex_points[v]);
     for (int h = 0; h < mesh.halfedge_count(); ++h) {
-      expect_row(mesh.vertex_count() + mesh.edge(h), naive.edge_points.at(std::minmax(mesh.origin(h), mesh.target(h))));
+      expect_row(mesh.vertex_count() + mesh.edge(h), plain.edge_points.at(std::minmax(mesh.origin(h), mesh.target(h))));
     }
     for (int f = 0; f < mesh.face_count(); ++f) {
-      expect_row(mesh.vertex_count() + mesh.edge_count() + f, naive.face_points[f]);
+      expect_row(mesh.vertex_count() + mesh.edge_count() + f, plain.face_points[f]);
     }
   }
 }

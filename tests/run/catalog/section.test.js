@@ -33,7 +33,7 @@ const catalog = {
   entries: [
     entry('two-4', 'bending', 142, { paper: 142, exact: 141.5466, certificate: { level: 2, negative: 0 } }),
     entry('two-4', 'mvs_cross', 9000, { paper: 6000, second_family: { energy: 9090, error: 90, agrees: true } }),
-    entry('tetrahedron-frame', 'mvs_cross', 8000, { paper: 4000 }),
+    entry('tetrahedron-frame', 'mvs_cross', 8000, { paper: 4000, energies: { mvs: 2000, mvs_cross: 8100 } }),
   ],
   starts: [0.5, 1, 1.5].map((thickness) => ({ shape: 'two-4', functional: 'mvs_cross', thickness, energy: 9000 + thickness, level: 3, stop: 'converged' })), // prettier-ignore
 };
@@ -59,6 +59,10 @@ describe('the section', () => {
   test.each([
     ['the paper beside ours, and what is exact', '| 3 | two-4 | D4h | 142.0 ± 1.4 | 142 | 1.0000 | 141.5466 |'],
     ['twice the paper over ours', '| 3 | tetrahedron-frame | D4h | 8000 ± 80 | 4000 | 2.0000 | 1.000 |'],
+    [
+      'other sums of our minimizers over the paper',
+      '| 3 | tetrahedron-frame | 4000 | 8100 (2.025) | 4050 (1.012) | 6100 (1.525) | 3050 (0.762) | 2000 (0.500) | 1000 (0.250) |',
+    ],
     ['the cost of a junction', '| tetrahedron-frame | 4 | 2000 ± 20 | 1000 |'],
     ['what is preferred', '| 3 | 2 × 4-way, two-4 | 9000 | 4 × 3-way, tetrahedron-frame | 8000 | yes |'],
     ['the other family', '| two-4 | mvs_cross | 9000 ± 90 | 9090 ± 90 | +1.0 % | yes |'],

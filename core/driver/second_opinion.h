@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// What core/opinion finds of a surface, beside what the report says.
+#pragma once
+
+#include "driver/surface.h"
+#include "problem/report.h"
+
+namespace umbilic {
+
+/// Of the surface of `cage`, which must be evaluable, with its own points; `energies` are those of the main evaluation.
+/// Takes some microseconds for each of several hundred points of each face.
+OpinionReport second_opinion(const RefinedCage& cage, CapKind cap, const EnergyReport& energies);
+
+/// The cage after `steps` further Catmull-Clark steps, whose points, where the cage is closed, another implementation
+/// of the step has found.
+RefinedCage refine_otherwise(RefinedCage cage, int steps);
+
+}  // namespace umbilic
