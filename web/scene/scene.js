@@ -47,7 +47,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
   surface.visible = false;
   surface.frustumCulled = false;
   const overlays = createOverlays(surfaceGeometry);
-  const pointing = createPointing(surface, orbit.lens);
+  const pointing = createPointing(surface, orbit.lens, () => (cutting ? section.plane : null));
   const stand = createStand();
   const marks = createMarks();
   const section = createSectionLines();
