@@ -286,6 +286,13 @@ function changed(state, action) {
       return redone(state);
     case 'linkRefused':
       return withView(state, { alert: { title: 'There is no link', message: action.message, save: true } });
+    case 'documentParted':
+      return withView(state, {
+        alert: {
+          title: 'Another tab has changed this document',
+          message: 'It goes on here as a document of its own. Both are kept.',
+        },
+      });
     case 'alertDismissed':
       return withView(state, { alert: null });
     case 'answered':

@@ -290,6 +290,7 @@
  *   | {type: 'undoPressed'} | {type: 'redoPressed'}
  *   | {type: 'wakened'}
  *   | {type: 'linkRefused', message: string}
+ *   | {type: 'documentParted'}
  *   | {type: 'alertDismissed'}
  *   | {type: 'answered', message: Message}
  *   | {type: 'workerLost', loss: Loss, detail: string}} Action
