@@ -145,7 +145,7 @@ function again(state) {
 }
 
 /** Whether the hand that changes something still moves. @param {HoldAction} action */
-const isMoving = (action) => action.type === 'facesPainted' || (action.type === 'pinMoved' && Boolean(action.moving));
+const isMoving = (action) => action.type === 'facesPainted' || ('moving' in action && Boolean(action.moving));
 
 /** @param {State} state @param {HoldAction} action @returns {State} */
 function hold(state, action) {
@@ -212,6 +212,7 @@ function changed(state, action) {
     case 'vertexPinned':
     case 'pinRemoved':
     case 'pinMoved':
+    case 'pinTurned':
     case 'copiesSwitched':
     case 'conditionChosen':
     case 'fillPressed':
