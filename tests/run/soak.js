@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file `npm run soak`: builds the page and uses the studio 200 times, with a document for each cage and with one for all.
- * Prints the memory that it has after the 10th time and at the end, and fails where that has grown by more than 5 %.
+ * Prints the memory that it has after the 10th time and at the end, and fails where that of the page or of its worker's module
+ * has grown by more than 5 %. The browser's process keeps caches of its own, of which it gives back what it likes, so only half
+ * as much again fails there.
  * `npm run soak -- 40` does so 40 times.
  */
 import { launchBrowser } from '../browser/browser.js';
@@ -13,7 +15,6 @@ import { installPackages, installTools } from './install.js';
 
 /** When memory is measured first; caches are full by then. */
 const FIRST = 10;
-const MOST_GROWTH = 0.05;
 
 const last = Number(process.argv[2] ?? 200);
 if (!(Number.isInteger(last) && last > FIRST)) {
@@ -23,12 +24,12 @@ if (!(Number.isInteger(last) && last > FIRST)) {
 if (!(await installTools('wasm', 'browser')) || !(await installPackages())) process.exit(1);
 if (!(await build('wasm')) || !(await build('web'))) process.exit(1);
 
-/** What is measured, and what it is called. */
+/** What is measured, what it is called, and by how much it may grow. */
 const measured = /** @type {const} */ ([
-  ['heap', 'JavaScript heap'],
-  ['buffers', 'JavaScript arrays'],
-  ['module', 'WebAssembly memory'],
-  ['renderer', 'process'],
+  ['heap', 'JavaScript heap', 0.05],
+  ['buffers', 'JavaScript arrays', 0.05],
+  ['module', 'WebAssembly memory', 0.05],
+  ['renderer', 'process', 0.5],
 ]);
 const megabytes = (/** @type {number} */ bytes) => `${(bytes / 1e6).toFixed(2)} MB`.padStart(12);
 const [site, browser] = await Promise.all([serve(builtPage), launchBrowser(UNCOMPILED)]);
@@ -36,11 +37,11 @@ let grown = false;
 console.log(`${''.padEnd(32)}${`cycle ${FIRST}`.padStart(12)}${`cycle ${last}`.padStart(12)}`);
 for (const [name, cycle] of Object.entries(cycles)) {
   const found = await soak(browser, site.url, cycle, { first: FIRST, last });
-  for (const [what, words] of measured) {
+  for (const [what, words, most] of measured) {
     const [before, after] = [found.first[what], found.last[what]];
     const growth = after / before - 1;
-    grown ||= growth > MOST_GROWTH;
-    const verdict = growth > MOST_GROWTH ? `   grown by ${(100 * growth).toFixed(1)} %` : '';
+    grown ||= growth > most;
+    const verdict = growth > most ? `   grown by ${(100 * growth).toFixed(1)} %` : '';
     console.log(`${`${name}, ${words}`.padEnd(32)}${megabytes(before)}${megabytes(after)}${verdict}`);
   }
   console.log(
