@@ -3,7 +3,7 @@
  * @file The studio's entry point: its documents, where they are kept, and the views that show one of them.
  */
 import { parseStudioAddress } from './address/studio.js';
-import { allQuantities, deviation, energyDensity } from './colour/quantities.js';
+import { allQuantities, computedOf, deviation } from './colour/quantities.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
 import { createDesk } from './pages/studio/desk.js';
@@ -106,7 +106,7 @@ function dispatch(action) {
 /** What the numbers of the legend are. @param {import('./colour/quantities.js').Quantity} quantity */
 function unit(quantity) {
   if (quantity === deviation) return deviationUnit(isFile(desk.state));
-  if (quantity !== energyDensity) return `in ${quantity.unit}`;
+  if (computedOf(quantity.shading) !== 'energy') return `in ${quantity.unit}`;
   return densityUnit(activeWeights(desk.state.document.settings));
 }
 
@@ -234,7 +234,7 @@ function show() {
   downloads.update(state, range);
   seen = { range, dark };
   for (const view of plain) view.update(state);
-  documents.update({ tabs: desk.tabs(), canReopen: desk.canReopen, unkept });
+  documents.update({ tabs: desk.tabs(), canReopen: desk.canReopen, unkept, elsewhere: desk.elsewhere });
   setText(byId('version'), state.session.version);
 }
 

@@ -109,9 +109,17 @@ async function notice(page) {
   await page.locator('#notices').waitFor();
 }
 
-/** Pages, and what is done on each before it is checked. @type {Array<[name: string, address: string, prepare: (page: Page) => Promise<unknown>]>} */
+/** @param {Page} page */
+const catalogShown = (page) => page.locator('#table .entry').first().waitFor();
+const phone = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
+
+/**
+ * Pages, what is done on each before it is checked, and where it is shown if not on a wide screen.
+ * @type {Array<[name: string, address: string, prepare: (page: Page) => Promise<unknown>, device?: typeof phone]>}
+ */
 const states = [
-  ['the catalog', 'index.html', (page) => page.locator('#table td').first().waitFor()],
+  ['the catalog', 'index.html', catalogShown],
+  ['the catalog on a phone', 'index.html', catalogShown, phone],
   ['the catalog with a notice', 'index.html?genus=nothing', notice],
   [
     'the catalog with an entry’s details',
@@ -193,11 +201,12 @@ async function violations(page) {
 describe.each(/** @type {const} */ (['light', 'dark']))('in %s', (colorScheme) => {
   test.each(states)(
     'the texts of %s have the contrast that WCAG asks for, and axe-core finds nothing to mend',
-    async (name, address, prepare) => {
+    async (name, address, prepare, device = undefined) => {
       const { page } = await openAddress(served.browser, served.url + address, {
         colorScheme,
         reducedMotion: 'reduce',
         ...allPixels,
+        ...device,
       });
       await prepare(page);
       await page.screenshot({ path: path.join(screenshots, `${name.replaceAll(/\W+/g, '-')}-${colorScheme}.png`) });

@@ -8,7 +8,8 @@ import { chromium } from 'playwright-core';
 /** Path of the system's headless Chromium, unless the environment variable CHROMIUM gives another. */
 const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell';
 
-export function launchBrowser() {
+/** @param {string[]} [more] arguments for it */
+export function launchBrowser(more = []) {
   return chromium.launch({
     executablePath,
     args: [
@@ -20,6 +21,7 @@ export function launchBrowser() {
       '--disable-background-networking',
       '--disable-component-update',
       '--disable-sync',
+      ...more,
     ],
   });
 }

@@ -49,7 +49,43 @@ describe('the density of the energy', () => {
     await page.locator('#surface canvas').hover();
     await page.locator('#reading').waitFor();
     expect(await page.locator('#reading').innerText()).toMatch(/energy density\s\S+ per length², at \(/);
-    expect(new URL(page.url()).searchParams.get('shade') ?? page.url()).toMatch('energy');
+    expect(new URL(page.url()).searchParams.get('shading')).toBe('energy');
+  }, 60_000);
+
+  test('is coloured by decades too, with its own numbers in the legend, the fields of its range and the reading', async () => {
+    await page.mouse.move(0, 0);
+    const ticks = () => page.locator('#legend .ticks span').allInnerTexts();
+    const evenly = await ticks();
+    await page.locator('[name=shading]').selectOption('energy_log');
+    await page.waitForFunction(
+      (before) => document.querySelector('#legend .ticks')?.textContent !== before,
+      evenly.join(''),
+    );
+    const values = (await ticks()).map((text) => Number(text.replaceAll(/[\s\u202f]/g, '').replace('k', 'e3')));
+    for (let i = 1; i < values.length; i++) {
+      const decades = Math.log10(values[i] / values[i - 1]);
+      expect(decades).toBeCloseTo(Math.round(decades), 9);
+      expect(decades).toBeGreaterThan(0.5);
+    }
+    await page.locator('#surface canvas').hover();
+    await page
+      .locator('#reading')
+      .filter({ hasText: /energy density/ })
+      .waitFor();
+    expect(await page.locator('#legend .mark').isVisible()).toBe(true);
+    await photograph('decades');
+    await page.locator('#legend summary').click();
+    const low = page.getByRole('textbox', { name: 'Least value' });
+    expect(Number(await low.inputValue())).toBe(values[0]);
+    await low.fill('0');
+    await low.press('Enter');
+    await page.locator('#legend .problem').filter({ hasText: 'Both ends must be above 0.' }).waitFor();
+    await low.fill('0.5');
+    await low.press('Enter');
+    await page.locator('#legend summary').filter({ hasText: 'Range, pinned' }).waitFor();
+    expect((await ticks())[0]).toBe('0.5');
+    await page.locator('#legend').getByRole('button', { name: 'Reset' }).click();
+    await page.locator('#legend summary').click();
   }, 60_000);
 });
 
@@ -78,7 +114,18 @@ describe('a section', () => {
     await press('position', 'ArrowRight', 100);
     await page.waitForFunction(() => document.querySelector('#section .note')?.textContent?.startsWith('3 curves'));
     await page.locator('[name=section-axis][value=view]').click();
+    const reading = page.locator('#reading');
+    const box = await page.locator('#surface canvas').boundingBox();
+    if (!box) throw new Error('there is no picture');
+    await page.mouse.move(box.x + 0.26 * box.width, box.y + 0.5 * box.height);
+    await reading.waitFor();
+    const whole = await reading.innerText();
     await page.getByRole('checkbox', { name: 'Cut away the front' }).check();
+    await page.mouse.move(box.x + 0.26 * box.width, box.y + 0.5 * box.height);
+    await page.waitForFunction((before) => {
+      const line = /** @type {HTMLElement} */ (document.querySelector('#reading'));
+      return line.hidden || line.innerText !== before;
+    }, whole);
     await photograph('cut');
     for (const width of [390, 1024, 1440]) {
       await page.setViewportSize({ width, height: 800 });

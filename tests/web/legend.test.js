@@ -5,8 +5,8 @@
  */
 import { describe, expect, test } from '@jest/globals';
 import { histogram, valuesOf, vertexAreas } from '../../web/colour/histogram.js';
-import { deviation, quantityOf } from '../../web/colour/quantities.js';
-import { givenRange, middleOf, problemOfRange } from '../../web/colour/range.js';
+import { deviation, energyDecades, placeOf, quantityOf, sampleValues, valueAt } from '../../web/colour/quantities.js';
+import { decadeRange, givenDecades, givenRange, middleOf, problemOfRange, shareBelow } from '../../web/colour/range.js';
 import { labelsWithRoom } from '../../web/colour/ticks.js';
 import { torusMesh } from '../../web/pages/torus/mesh.js';
 
@@ -82,6 +82,42 @@ describe('a range that is given', () => {
     expect(problemOfRange(2, 2)).toMatch('less');
     expect(problemOfRange(1, 1 + 1e-15)).toMatch('less');
   });
+});
+
+describe('colours by decades', () => {
+  const logarithms = (/** @type {number[]} */ ...values) => Float64Array.from(values, Math.log10);
+
+  test('span whole ones around most of the values, at least one and not too many', () => {
+    expect(decadeRange(logarithms(0.02, 0.5, 3, 40, 70))).toEqual({ low: -2, high: 2, ticks: [-2, -1, 0, 1, 2] });
+    expect(decadeRange(logarithms(10, 10, 10))).toEqual({ low: 0, high: 1, ticks: [0, 1] });
+    expect(decadeRange(logarithms(1e-30, 1e-20, 1e3))).toMatchObject({ low: -5, high: 3 });
+    expect(decadeRange(new Float64Array(0)).ticks).toEqual([-1, 0, 1]);
+    const most = Float64Array.from({ length: 1000 }, (_, i) => (i < 5 ? 9 : -0.5));
+    expect(decadeRange(most)).toMatchObject({ low: -1, high: 0 });
+  });
+
+  test('have each decade as wide as any other, and none for 0', () => {
+    const densities = Float32Array.of(0.1, 1, 10, 100, 0);
+    const places = valuesOf(energyDecades, new Float32Array(10), densities);
+    const shares = [...places].map((place) => shareBelow(false, { low: -1, high: 2 }, place));
+    [0, 1 / 3, 2 / 3, 1].forEach((share, i) => expect(shares[i]).toBeCloseTo(share, 6));
+    expect(shares[4]).toBe(-Infinity);
+    expect([...sampleValues(energyDecades, new Float32Array(10), densities)].map(Math.round)).toEqual([-1, 0, 1, 2]);
+    expect(histogram(places, Float64Array.of(1, 1, 1, 1, 1), { low: -1, high: 2 }, 3)).toMatchObject({ below: 0.2 });
+    expect(valueAt(energyDecades, placeOf(energyDecades, 0.037))).toBeCloseTo(0.037, 12);
+  });
+
+  test('that are given keep their ends', () => {
+    expect(givenDecades(-1.5, 2.2).ticks).toEqual([-1.5, -1, 0, 1, 2, 2.2]);
+    expect(givenDecades(0.1, 0.4).ticks).toEqual([0.1, 0.4]);
+    expect(givenDecades(-6, 6).ticks).toEqual([-6, -3, 0, 3, 6]);
+  });
+});
+
+test('the colours of a signed quantity meet at 0, however far its ends are', () => {
+  const range = { low: -1, high: 3 };
+  expect([-1, -0.5, 0, 1.5, 3].map((value) => shareBelow(true, range, value))).toEqual([0, 0.25, 0.5, 0.75, 1]);
+  expect(shareBelow(false, range, 0)).toBe(0.25);
 });
 
 describe('the numbers of a legend', () => {

@@ -3,28 +3,20 @@
  * @file The files of meshes that the worker makes, read again by programs that others wrote: closed and oriented outwards for a
  * solid modeller, valid glTF, and PLY with the curvatures of a sphere's radius.
  */
-import { beforeAll, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { NodeIO } from '@gltf-transform/core';
-import Module from 'manifold-3d';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
-import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { Cage, Minimizer } from '../../wasm/umbilic.js';
 import { mapBytes, MAP_SIZE } from '../../web/colour/maps.js';
 import { encode } from '../../web/colour/oklab.js';
 import { finenesses, sizeOf, usualFineness } from '../../web/pages/studio/downloads.js';
 import { open, session, useSession, work } from './session_harness.js';
+import { solidOf } from './solid.js';
 
 /** @typedef {import('../../web/worker/protocol.js').Exportable} Exportable */
 /** @typedef {import('../../web/worker/protocol.js').ExportOptions} ExportOptions */
 
 useSession();
-
-/** @type {Awaited<ReturnType<typeof Module>>} */
-let solid;
-beforeAll(async () => {
-  solid = await Module();
-  solid.setup();
-});
 
 /** A cube's cage far from the origin, of which the surface is about a sphere. */
 const PLACE = [100, -50, 20];
@@ -50,20 +42,6 @@ function openCube() {
   work();
 }
 
-/** The solid that the triangles of a file enclose, whose corners with the same coordinates are one. @param {ArrayBuffer} file of STL */
-function solidOf(file) {
-  const corners = new STLLoader().parse(file).getAttribute('position').array;
-  /** @type {Map<string, number>} */
-  const known = new Map();
-  const triVerts = Uint32Array.from({ length: corners.length / 3 }, (_, i) => {
-    const key = corners.subarray(3 * i, 3 * i + 3).join(' ');
-    if (!known.has(key)) known.set(key, known.size);
-    return Number(known.get(key));
-  });
-  const vertProperties = Float32Array.from([...known.keys()].flatMap((key) => key.split(' ').map(Number)));
-  return new solid.Manifold(new solid.Mesh({ numProp: 3, triVerts, vertProperties }));
-}
-
 /** The middle and the sides of a box. @param {{min: readonly number[], max: readonly number[]}} box */
 const boxOf = ({ min, max }) => ({
   middle: [0, 1, 2].map((axis) => (min[axis] + max[axis]) / 2),
@@ -79,9 +57,9 @@ function near(found, expected, tolerance) {
 const read = async (file) => new NodeIO().readBinary(file);
 
 describe('STL', () => {
-  test('is a solid for a modeller, with its outside out, where the cage is and as large', () => {
+  test('is a solid for a modeller, with its outside out, where the cage is and as large', async () => {
     openCube();
-    const found = solidOf(saved('stl', { density: 4 }));
+    const found = await solidOf(saved('stl', { density: 4 }));
     expect(found.status()).toBe('NoError');
     expect(found.numTri()).toBe(2 * 96 * 4 ** 2);
     expect(found.genus()).toBe(0);
@@ -93,10 +71,10 @@ describe('STL', () => {
     found.delete();
   });
 
-  test('has the genus of its surface, and the longest side that is asked for', () => {
+  test('has the genus of its surface, and the longest side that is asked for', async () => {
     open(1, { cage: { generator: 'tetrahedron-frame' }, levels: [0, 0] });
     work();
-    const found = solidOf(saved('stl', { density: 3, extent: 80 }));
+    const found = await solidOf(saved('stl', { density: 3, extent: 80 }));
     expect([found.status(), found.genus()]).toEqual(['NoError', 3]);
     expect(found.volume()).toBeGreaterThan(0);
     const { middle, sides } = boxOf(found.boundingBox());
@@ -140,7 +118,9 @@ describe('GLB', () => {
     const colours = document.getRoot().listMeshes()[0].listPrimitives()[0].getAttribute('COLOR_0');
     const bytes = mapBytes('diverging');
     for (const vertex of [0, 5, 100, 300]) {
-      const entry = Math.round((MAP_SIZE - 1) * Math.min(1, Math.max(0, (curvatures[2 * vertex] + 1) / 3)));
+      const kappa = curvatures[2 * vertex];
+      const share = 0.5 + 0.5 * (kappa < 0 ? kappa : kappa / 2); // the middle of the colours is 0, as on the screen
+      const entry = Math.round((MAP_SIZE - 1) * Math.min(1, Math.max(0, share)));
       const [red, green, blue, alpha] = colours?.getElement(vertex, /** @type {number[]} */ ([])) ?? [];
       near(
         [red, green, blue].map((value) => 255 * encode(value)),

@@ -75,12 +75,38 @@ test('boxes let most triangles be left out, and hide none', () => {
   let met = 0;
   for (let k = 0; k < 60; k++) {
     const direction = /** @type {[number, number, number]} */ ([-2 + Math.sin(k), -1.5 + Math.cos(2 * k), -1 + k / 60]);
-    const hit = pick(mesh, eye, direction, boxes);
-    expect(hit).toEqual(pick(mesh, eye, direction, open));
+    const hit = pick(mesh, eye, direction, { boxes });
+    expect(hit).toEqual(pick(mesh, eye, direction, { boxes: open }));
     if (hit) met++;
   }
   expect(met).toBeGreaterThan(20);
   expect(met).toBeLessThan(60);
   // Along an axis, a ray lies within planes of boxes.
-  expect(pick(mesh, [large, 0, 5], [0, 0, -1], boxes)?.point[2]).toBeCloseTo(small, 2);
+  expect(pick(mesh, [large, 0, 5], [0, 0, -1], { boxes })?.point[2]).toBeCloseTo(small, 2);
+});
+
+describe('where a plane has cut the surface away, a ray', () => {
+  /** The torus meets the ray along its x axis in these places. */
+  const places = [large + small, large - small, small - large, -small - large];
+  /** @param {number} x where the plane is @param {1 | -1} side of it that stays */
+  const beyond = (x, side) => ({ normal: { x: side, y: 0, z: 0 }, constant: -side * x });
+  /** The place that is met, infinity for none. @param {ReturnType<typeof beyond>} space @param {1 | -1} from which end */
+  const met = (space, from) => pick(mesh, [5 * from, 0, 0], [-2 * from, 0, 0], { space })?.point[0] ?? Infinity;
+
+  test('meets the first of what stays, from both sides of the plane', () => {
+    for (const [i, place] of places.entries()) {
+      const before = place + 0.5 * small;
+      expect(met(beyond(before, -1), 1)).toBeCloseTo(place, 3);
+      expect(met(beyond(before, -1), -1)).toBeCloseTo(places[3], 3);
+      expect(met(beyond(before, 1), 1)).toBeCloseTo(i > 0 ? places[0] : Infinity, 3);
+      expect(met(beyond(before, 1), -1)).toBeCloseTo(places[i - 1] ?? Infinity, 3);
+    }
+  });
+
+  test('along the plane meets all or nothing', () => {
+    const along = (/** @type {1 | -1} */ side) =>
+      pick(mesh, [5, 0, 0], [-1, 0, 0], { space: { normal: { x: 0, y: side, z: 0 }, constant: -side * 0.01 } });
+    expect(along(-1)?.point[0]).toBeCloseTo(places[0], 3);
+    expect(along(1)).toBeNull();
+  });
 });

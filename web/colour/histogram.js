@@ -3,6 +3,8 @@
  * @file How the values of a quantity are spread over the area of a surface.
  */
 
+import { placeOf } from './quantities.js';
+
 /** @import {Quantity} from './quantities.js' */
 /** @import {Range} from './range.js' */
 
@@ -37,17 +39,21 @@ export function vertexAreas(positions, triangles) {
 }
 
 /**
- * The values of a quantity at all vertices; NaN where it has none.
+ * The places of a quantity's values at all vertices; NaN where it has none.
  * @param {Quantity} quantity
  * @param {Float32Array} curvatures κ1, κ2 per vertex
  * @param {Float32Array | null} computed per vertex, where they are no function of curvatures
  * @returns {Float32Array}
  */
-export function valuesOf({ value: of }, curvatures, computed) {
-  if (!of) return computed ?? new Float32Array(curvatures.length / 2).fill(NaN);
-  return Float32Array.from({ length: curvatures.length / 2 }, (_, vertex) =>
-    of(curvatures[2 * vertex], curvatures[2 * vertex + 1]),
-  );
+export function valuesOf(quantity, curvatures, computed) {
+  const { value: of, axis } = quantity;
+  if (of) {
+    return Float32Array.from({ length: curvatures.length / 2 }, (_, vertex) =>
+      of(curvatures[2 * vertex], curvatures[2 * vertex + 1]),
+    );
+  }
+  if (!computed) return new Float32Array(curvatures.length / 2).fill(NaN);
+  return axis ? computed.map((value) => placeOf(quantity, value)) : computed;
 }
 
 /**

@@ -9,7 +9,9 @@
 
 /** @typedef {'stripes' | 'isophotes'} Pattern */
 /** What is no function of curvatures. @typedef {'energy' | 'deviation'} Computed */
-/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'difference' | Computed | Pattern | 'plain'} Shading */
+/** @typedef {'mean' | 'gaussian' | 'kappa1' | 'kappa2' | 'magnitude' | 'difference' | Computed | 'energy_log' | Pattern | 'plain'} Shading */
+
+/** Along which the colours of a quantity are spread, if not evenly. @typedef {{to: (value: number) => number, from: (place: number) => number}} Axis */
 
 /**
  * @typedef {object} Quantity
@@ -20,7 +22,8 @@
  * @property {boolean} signed signed quantities have a range symmetric about 0
  * @property {MapName} map
  * @property {(kappa1: number, kappa2: number) => number} [value] of curvatures; what is computed is a number by itself
- * @property {string} glsl the same as `value`, in terms of `k.x` and `k.y`, or of what is computed `d`
+ * @property {Axis} [axis] its ranges, and all that follows from them, are in places of this axis
+ * @property {string} glsl the place of the same as `value`, in terms of `k.x` and `k.y`, or of what is computed `d`
  */
 
 /** Those of curvatures. @type {Array<Quantity & Required<Pick<Quantity, 'value'>>>} */
@@ -103,6 +106,18 @@ export const energyDensity = {
 };
 
 /**
+ * The same with as many colours from 0.1 to 1 as from 1 to 10: a few places may have nearly all of the energy.
+ * @type {Quantity}
+ */
+export const energyDecades = {
+  ...energyDensity,
+  shading: 'energy_log',
+  name: 'Energy density, by decades',
+  axis: { to: Math.log10, from: (place) => 10 ** place },
+  glsl: 'log(max(d, 1e-30)) / 2.302585093',
+};
+
+/**
  * The signed distance from the cage's own surface, along its normal: 0 where nothing has moved.
  * @type {Quantity}
  */
@@ -117,7 +132,7 @@ export const deviation = {
 };
 
 /** @type {Quantity[]} */
-export const allQuantities = [...quantities, energyDensity, deviation];
+export const allQuantities = [...quantities, energyDensity, energyDecades, deviation];
 
 /**
  * The shadings that show how smooth the normals are: dark and light lines that follow the viewer.
@@ -144,19 +159,29 @@ export function quantityOf(shading) {
 }
 
 /** A shading that the worker computes, if it is one. @param {Shading} shading @returns {Computed | null} */
-export const computedOf = (shading) => (shading === 'energy' || shading === 'deviation' ? shading : null);
+export function computedOf(shading) {
+  if (shading === 'energy_log') return 'energy';
+  return shading === 'energy' || shading === 'deviation' ? shading : null;
+}
+
+/** Where a value is on a quantity's axis. @param {Pick<Quantity, 'axis'>} quantity @param {number} value */
+export const placeOf = ({ axis }, value) => (axis ? axis.to(value) : value);
+
+/** The value at a place of its axis. @param {Pick<Quantity, 'axis'>} quantity @param {number} place */
+export const valueAt = ({ axis }, place) => (axis ? axis.from(place) : place);
 
 /** Largest number of values from which a range is computed; the percentiles of this many are accurate enough. */
 const MAX_SAMPLES = 4096;
 
 /**
- * The finite values of a quantity at evenly picked vertices.
+ * The finite places of a quantity's values at evenly picked vertices.
  * @param {Quantity} quantity
  * @param {Float32Array} curvatures κ1, κ2 per vertex
  * @param {Float32Array | null} [computed] the values of a quantity that is no function of curvatures
  * @returns {Float64Array}
  */
-export function sampleValues({ value: of }, curvatures, computed = null) {
+export function sampleValues(quantity, curvatures, computed = null) {
+  const { value: of } = quantity;
   if (!of && !computed) return new Float64Array(0);
   const vertices = curvatures.length / 2;
   const count = Math.min(vertices, MAX_SAMPLES);
@@ -164,7 +189,8 @@ export function sampleValues({ value: of }, curvatures, computed = null) {
   let kept = 0;
   for (let i = 0; i < count; i++) {
     const vertex = Math.floor((i * vertices) / count);
-    const value = of ? of(curvatures[2 * vertex], curvatures[2 * vertex + 1]) : (computed?.[vertex] ?? NaN);
+    const [kappa1, kappa2] = [curvatures[2 * vertex], curvatures[2 * vertex + 1]];
+    const value = of ? of(kappa1, kappa2) : placeOf(quantity, computed?.[vertex] ?? NaN);
     if (Number.isFinite(value)) values[kept++] = value;
   }
   return values.subarray(0, kept);

@@ -58,6 +58,35 @@ export function robustRange(values, signed) {
   return { low: ticks[0], high: ticks[ticks.length - 1], ticks };
 }
 
+/** A range by decades has no more of them: what lies below is dark. */
+const MOST_DECADES = 8;
+
+/** The whole numbers between two, at most about `STEPS` + 1 of them in equal steps. @param {number} low @param {number} high */
+function wholeTicks(low, high) {
+  const step = Math.max(1, Math.ceil((high - low) / STEPS));
+  const first = Math.ceil(low);
+  return Array.from({ length: Math.max(0, Math.floor((high - first) / step) + 1) }, (_, i) => first + i * step);
+}
+
+/**
+ * The 2nd to 98th percentile of logarithms, rounded outwards to whole decades.
+ * @param {Float64Array} values finite logarithms to the base 10; reordered
+ * @returns {Range}
+ */
+export function decadeRange(values) {
+  if (!values.length) return { low: -1, high: 1, ticks: [-1, 0, 1] };
+  values.sort();
+  const high = Math.ceil(percentile(values, HIGH_PERCENTILE) - 1e-9) + 0; // no -0
+  const low = Math.floor(percentile(values, LOW_PERCENTILE) + 1e-9);
+  const lowest = Math.max(Math.min(low, high - 1), high - MOST_DECADES);
+  return givenDecades(lowest, high);
+}
+
+/** A range of logarithms with these ends. @param {number} low @param {number} high above it @returns {Range} */
+export function givenDecades(low, high) {
+  return { low, high, ticks: [low, ...wholeTicks(low, high).filter((tick) => tick > low && tick < high), high] };
+}
+
 /** How many steps a range that is given has between its ticks, about. */
 const STEPS = 4;
 
@@ -90,6 +119,18 @@ export function problemOfRange(low, high) {
  * @param {Pick<Range, 'low' | 'high'>} range
  */
 export const middleOf = (signed, { low, high }) => (signed && low < 0 && high > 0 ? 0 : (low + high) / 2);
+
+/**
+ * Which part of the colours lies below a value: not in [0, 1] outside of the range.
+ * @param {boolean} signed
+ * @param {Pick<Range, 'low' | 'high'>} range
+ * @param {number} value
+ */
+export function shareBelow(signed, { low, high }, value) {
+  const middle = middleOf(signed, { low, high });
+  const side = value - middle;
+  return 0.5 + (0.5 * side) / (side < 0 ? middle - low : high - middle);
+}
 
 /** How many isolines a range has, at most. */
 const MOST_ISOLINES = 20;

@@ -15,6 +15,8 @@ import { PART, boxesOf, enters } from './boxes.js';
  * @typedef {{triangle: number, face: number, point: Vector3Tuple, weights: Vector3Tuple}} Hit
  */
 
+/** The points x with normal · x + constant ≥ 0, as three.js' `Plane` has them. @typedef {{normal: {x: number, y: number, z: number}, constant: number}} HalfSpace */
+
 /**
  * How far beside a triangle a ray still meets it, as a part of its sides. Without it rounding lets a ray through an edge
  * pass between the two triangles there.
@@ -28,10 +30,11 @@ const EDGE = 1e-6;
  * @param {Vector3Tuple} direction
  * @param {number} first index of the first corner
  * @param {number} last index after the last corner
- * @param {{distance: number, triangle: number, u: number, v: number}} found nearer than this; changed in place. The distance
- *   is a multiple of the direction, and u, v are the weights of the triangle's second and third corner
+ * @param {number} least distance
+ * @param {{distance: number, triangle: number, u: number, v: number}} found nearer than this; changed in place. Distances are
+ *   multiples of the direction, and u, v are the weights of the triangle's second and third corner
  */
-function meet({ positions, triangles }, [ox, oy, oz], [dx, dy, dz], first, last, found) {
+function meet({ positions, triangles }, [ox, oy, oz], [dx, dy, dz], first, last, least, found) {
   for (let t = first; t < last; t += 3) {
     const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
     const [ax, ay, az] = [positions[a], positions[a + 1], positions[a + 2]];
@@ -47,8 +50,24 @@ function meet({ positions, triangles }, [ox, oy, oz], [dx, dy, dz], first, last,
     const v = (dx * qx + dy * qy + dz * qz) / determinant;
     if (!(v >= -EDGE && u + v <= 1 + EDGE)) continue;
     const distance = (vx * qx + vy * qy + vz * qz) / determinant;
-    if (distance > 0 && distance < found.distance) Object.assign(found, { distance, triangle: t / 3, u, v });
+    if (distance > least && distance < found.distance) Object.assign(found, { distance, triangle: t / 3, u, v });
   }
+}
+
+/**
+ * The part of a ray where normal · x + constant ≥ 0, as its first and last distance in multiples of the direction; the first
+ * is not below the last where there is none.
+ * @param {Vector3Tuple} origin
+ * @param {Vector3Tuple} direction
+ * @param {HalfSpace} space
+ * @returns {[first: number, last: number]}
+ */
+function within(origin, direction, { normal, constant }) {
+  const dot = (/** @type {Vector3Tuple} */ [x, y, z]) => normal.x * x + normal.y * y + normal.z * z;
+  const [height, slope] = [dot(origin) + constant, dot(direction)];
+  if (slope === 0) return height >= 0 ? [0, Infinity] : [0, 0];
+  const crossing = Math.max(0, -height / slope);
+  return slope > 0 ? [crossing, Infinity] : [0, crossing];
 }
 
 /**
@@ -56,16 +75,19 @@ function meet({ positions, triangles }, [ox, oy, oz], [dx, dy, dz], first, last,
  * @param {Pick<Mesh, 'positions' | 'triangles' | 'faces'>} mesh
  * @param {Vector3Tuple} origin
  * @param {Vector3Tuple} direction
- * @param {Float64Array} [boxes] of the mesh; see boxes.js
+ * @param {object} [how]
+ * @param {Float64Array} [how.boxes] of the mesh; see boxes.js
+ * @param {HalfSpace | null} [how.space] outside of which the ray meets nothing
  * @returns {Hit | null}
  */
-export function pick(mesh, origin, direction, boxes = boxesOf(mesh)) {
+export function pick(mesh, origin, direction, { boxes = boxesOf(mesh), space = null } = {}) {
   const [ix, iy, iz] = direction.map((component) => 1 / component);
-  const found = { distance: Infinity, triangle: -1, u: 0, v: 0 };
+  const [least, most] = space ? within(origin, direction, space) : [0, Infinity];
+  const found = { distance: most, triangle: -1, u: 0, v: 0 };
   for (let box = 0; box < boxes.length; box += 6) {
     if (enters(boxes, box, origin, [ix, iy, iz]) >= found.distance) continue;
     const first = (box / 6) * 3 * PART;
-    meet(mesh, origin, direction, first, Math.min(first + 3 * PART, mesh.triangles.length), found);
+    meet(mesh, origin, direction, first, Math.min(first + 3 * PART, mesh.triangles.length), least, found);
   }
   const { triangle, distance, u, v } = found;
   if (triangle < 0) return null;

@@ -10,13 +10,15 @@ import { readingAt } from './reading.js';
 
 /** @import {Camera, Object3D} from 'three' */
 /** @import {Mesh} from '../../wasm/types.js' */
+/** @import {HalfSpace} from './pick.js' */
 /** @import {Reading} from './reading.js' */
 
 /**
  * @param {Object3D} surface drawn with the mesh's own coordinates
  * @param {() => Camera} camera
+ * @param {() => HalfSpace | null} [kept] where the mesh is drawn, in its coordinates; null for everywhere
  */
-export function createPointing(surface, camera) {
+export function createPointing(surface, camera, kept = () => null) {
   const ray = new Raycaster();
   /** @type {Mesh | null} */
   let mesh = null;
@@ -33,7 +35,7 @@ export function createPointing(surface, camera) {
     ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), camera());
     ray.ray.applyMatrix4(surface.matrixWorld.clone().invert());
     boxes ??= boxesOf(mesh);
-    return pick(mesh, ray.ray.origin.toArray(), ray.ray.direction.toArray(), boxes);
+    return pick(mesh, ray.ray.origin.toArray(), ray.ray.direction.toArray(), { boxes, space: kept() });
   }
 
   return {

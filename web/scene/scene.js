@@ -33,8 +33,9 @@ const RAISE = 0.035;
  * @param {() => void} [options.drawn] called after each picture
  * @param {(at: import('three').Vector3Tuple, moving: boolean) => void} [options.dragged] called with the place of the handle, in
  *   the coordinates of the file, when the user moves it; `moving` while the hand still moves
+ * @param {(normal: import('three').Vector3Tuple, moving: boolean) => void} [options.turned] called with the normal that its rings turn
  */
-export function createScene(canvas, { calm, slow, rested, drawn, dragged = () => {} }) {
+export function createScene(canvas, { calm, slow, rested, drawn, dragged = () => {}, turned = () => {} }) {
   const scene = new Scene();
   const orbit = createOrbit(canvas, { moved: requestRender, rested });
   const { camera, controls } = orbit;
@@ -47,7 +48,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
   surface.visible = false;
   surface.frustumCulled = false;
   const overlays = createOverlays(surfaceGeometry);
-  const pointing = createPointing(surface, orbit.lens);
+  const pointing = createPointing(surface, orbit.lens, () => (cutting ? section.plane : null));
   const stand = createStand();
   const marks = createMarks();
   const section = createSectionLines();
@@ -64,6 +65,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
         const [cx, cy, cz] = shown?.centre ?? [0, 0, 0];
         dragged([x + cx, y + cy, z + cz], moving);
       },
+      turned,
     },
   );
 
@@ -218,10 +220,11 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
      * Shows the handle at a place in the coordinates of the file, or hides it.
      * @param {readonly number[] | null} at
      * @param {readonly boolean[]} [free] whether each coordinate may change
+     * @param {import('three').Vector3Tuple | null} [normal] of length 1, if it may be turned
      */
-    setHandle(at, free) {
+    setHandle(at, free, normal) {
       const [cx, cy, cz] = shown?.centre ?? [0, 0, 0];
-      handle.set(at && [at[0] - cx, at[1] - cy, at[2] - cz], free);
+      handle.set(at && [at[0] - cx, at[1] - cy, at[2] - cz], free, normal);
     },
 
     /** Whether the handle is under a point of the picture. */

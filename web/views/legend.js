@@ -4,8 +4,16 @@
  * the range of the colours, common to all surfaces, unless it is pinned.
  */
 import { histogram, valuesOf, vertexAreas } from '../colour/histogram.js';
-import { deviation, patterns, quantities, quantityOf, sampleValues } from '../colour/quantities.js';
-import { calmRange, fullRange, givenRange, robustRange, sameRange } from '../colour/range.js';
+import { deviation, patterns, placeOf, quantities, quantityOf, sampleValues } from '../colour/quantities.js';
+import {
+  calmRange,
+  decadeRange,
+  fullRange,
+  givenDecades,
+  givenRange,
+  robustRange,
+  sameRange,
+} from '../colour/range.js';
 import { element, find, whenChanged } from './dom.js';
 import { createRangeView } from './legend_range.js';
 import { STEPS, createScale } from './legend_scale.js';
@@ -65,7 +73,9 @@ export function createLegendView(
       scale.fill(histogram(valuesOf(quantity, curvatures, computed), areas, range, STEPS));
     },
   );
-  const given = memo(givenRange);
+  const given = memo((/** @type {Quantity} */ { axis }, /** @type {number} */ low, /** @type {number} */ high) =>
+    axis ? givenDecades(low, high) : givenRange(low, high),
+  );
   /** @type {Quantity | null} */
   let quantity = null;
 
@@ -74,18 +84,19 @@ export function createLegendView(
     update({ shading, curvatures, computed = null, occasion, mesh = null, pinned = null, isolines = false }) {
       quantity = quantityOf(shading);
       const free = measured(quantity, `${shading} ${occasion}`, computed, curvatures);
-      const range = quantity && pinned ? given(pinned.low, pinned.high) : free;
+      const range = quantity && pinned ? given(quantity, pinned.low, pinned.high) : free;
       select.value = shading;
       show(quantity, range, quantity ? unit(quantity) : '', isolines);
       spread(quantity, range, mesh, curvatures[0] ?? null, computed);
-      rangeView?.update(range, pinned !== null);
+      rangeView?.update(quantity, range, pinned !== null);
       return range;
     },
 
     /** Marks a value in the colours. @param {Reading | null} reading */
     mark(reading) {
       if (!reading || !quantity) return scale.mark(null);
-      scale.mark(quantity.value ? quantity.value(reading.kappa1, reading.kappa2) : reading.computed);
+      const { kappa1, kappa2, computed } = reading;
+      scale.mark(quantity.value ? quantity.value(kappa1, kappa2) : computed && placeOf(quantity, computed));
     },
 
     dispose() {
@@ -112,6 +123,13 @@ function memo(work) {
   };
 }
 
+/** The range of the values. @param {Quantity} quantity @param {Float32Array | null} computed @param {Float32Array[]} curvatures */
+function rangeOf(quantity, computed, curvatures) {
+  if (quantity === deviation && computed) return fullRange(computed);
+  const places = joined(curvatures.map((one) => sampleValues(quantity, one, computed)));
+  return quantity.axis ? decadeRange(places) : robustRange(places, quantity.signed);
+}
+
 /** The range that fits most of the values, which changes rarely on one occasion. */
 function createMeasure() {
   /** @type {Range | null} */
@@ -128,10 +146,7 @@ function createMeasure() {
         range = null;
         return;
       }
-      const next =
-        quantity !== deviation || !computed
-          ? robustRange(joined(curvatures.map((one) => sampleValues(quantity, one, computed))), quantity.signed)
-          : fullRange(computed);
+      const next = rangeOf(quantity, computed, curvatures);
       const wanted = occasion === lastOccasion ? calmRange(range, next) : next;
       // Keeps the same object while the range is the same, since a new one would cause a redraw.
       if (!range || !sameRange(range, wanted)) range = wanted;

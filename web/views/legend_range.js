@@ -2,12 +2,14 @@
 /**
  * @file The fields for the range of a legend's colours. What is typed there is pinned: it stays while the surface changes.
  */
+import { placeOf, valueAt } from '../colour/quantities.js';
 import { problemOfRange } from '../colour/range.js';
 import { element, setText } from './dom.js';
 
+/** @import {Quantity} from '../colour/quantities.js' */
 /** @import {Range} from '../colour/range.js' */
 
-/** Two ends, which stay until they are null. @typedef {Pick<Range, 'low' | 'high'>} Ends */
+/** Two ends on the axis of the quantity, which stay until they are null. @typedef {Pick<Range, 'low' | 'high'>} Ends */
 
 /** @param {string} text as the page prints numbers, or as they are typed */
 const numberIn = (text) => (text.trim() ? Number(text.trim().replace('−', '-').replace(',', '.')) : NaN);
@@ -48,10 +50,14 @@ export function createRangeView(root, pin) {
   /** @type {Range | null} */
   let shown = null;
   let isPinned = false;
+  /** @type {Pick<Quantity, 'axis'>} */
+  let shownOf = {};
 
   function typed() {
-    const ends = { low: numberIn(low.value), high: numberIn(high.value) };
-    const wrong = problemOfRange(ends.low, ends.high);
+    const [from, to] = [numberIn(low.value), numberIn(high.value)];
+    const ends = { low: placeOf(shownOf, from), high: placeOf(shownOf, to) };
+    const wrong =
+      shownOf.axis && Math.min(from, to) <= 0 ? 'Both ends must be above 0.' : problemOfRange(ends.low, ends.high);
     setText(problem, wrong ?? '');
     if (!wrong) pin(ends);
   }
@@ -63,18 +69,18 @@ export function createRangeView(root, pin) {
   reset.addEventListener('click', () => pin(null), { signal });
 
   return {
-    /** @param {Range | null} range of the colours @param {boolean} fixed whether it is pinned */
-    update(range, fixed) {
+    /** @param {Quantity | null} quantity @param {Range | null} range of the colours @param {boolean} fixed whether it is pinned */
+    update(quantity, range, fixed) {
       details.hidden = !range;
       isPinned = fixed;
       pinned.setAttribute('aria-pressed', String(fixed));
       reset.hidden = !fixed;
       setText(summary, fixed ? 'Range, pinned' : 'Range');
-      if (!range || range === shown) return;
-      shown = range;
+      if (!quantity || !range || (range === shown && quantity === shownOf)) return;
+      [shown, shownOf] = [range, quantity];
       setText(problem, '');
-      low.value = written(range.low);
-      high.value = written(range.high);
+      low.value = written(valueAt(quantity, range.low));
+      high.value = written(valueAt(quantity, range.high));
     },
     dispose: () => listening.abort(),
   };

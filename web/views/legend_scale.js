@@ -5,6 +5,7 @@
  */
 import { mapGradient } from '../colour/maps.js';
 import { isolineStep, middleOf } from '../colour/range.js';
+import { valueAt } from '../colour/quantities.js';
 import { labelsWithRoom } from '../colour/ticks.js';
 import { compact, percent } from '../words/numbers.js';
 import { element, setText } from './dom.js';
@@ -53,10 +54,10 @@ export function createScale(figure) {
   /** @param {number} value */
   const place = (value) => (shown ? (value - shown.low) / (shown.high - shown.low) : 0);
 
-  /** @param {Range} range */
-  function showTicks(range) {
+  /** @param {Quantity} quantity @param {Range} range */
+  function showTicks(quantity, range) {
     const positions = range.ticks.map(place);
-    const labels = range.ticks.map((tick) => element('span', {}, compact(tick)));
+    const labels = range.ticks.map((tick) => element('span', {}, compact(valueAt(quantity, tick))));
     labels.forEach((label, i) => (label.style.left = `${(100 * positions[i]).toFixed(2)}%`));
     ticks.replaceChildren(...labels);
     const widths = labels.map((label) => label.getBoundingClientRect().width);
@@ -71,8 +72,9 @@ export function createScale(figure) {
       if (!quantity || !range) return;
       shown = range;
       colours.style.background = mapGradient(quantity.map, 'to right', place(middleOf(quantity.signed, range)));
-      setText(caption, `${quantity.symbol}, ${unit}${isolines ? `; a line each ${compact(isolineStep(range))}` : ''}`);
-      showTicks(range);
+      const each = `${quantity.axis ? 'factor ' : ''}${compact(valueAt(quantity, isolineStep(range)))}`;
+      setText(caption, `${quantity.symbol}, ${unit}${isolines ? `; a line each ${each}` : ''}`);
+      showTicks(quantity, range);
     },
 
     /** @param {Histogram | null} histogram */

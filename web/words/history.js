@@ -74,6 +74,9 @@ export function stepName(action) {
       return action.on ? 'copy over the symmetry' : 'copy nothing';
     case 'pinMoved':
       return 'move a pin';
+    case 'pinTurned':
+      if (typeof action.normal !== 'boolean') return 'turn a normal';
+      return action.normal ? 'hold a normal' : 'free a normal';
     case 'conditionChosen':
       return 'change a boundary';
     case 'fillPressed':

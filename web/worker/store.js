@@ -8,16 +8,19 @@ import { answerRequests } from './requests.js';
 
 /**
  * What is known of a document without its parts. `seen` is when it was on the screen last, in milliseconds; `closed` when
- * it was closed, 0 if it is open.
- * @typedef {{id: string, seen: number, closed: number, content: any}} Stored
+ * it was closed, 0 if it is open; `page` which page wrote it, unless an earlier version did.
+ * @typedef {{id: string, seen: number, closed: number, page?: string, content: any}} Stored
  */
 
 /**
  * `list`: all documents. `read`: the parts of one. `keep`: writes a document and its new parts, and forgets those that are not
- * in `keys`: all or nothing. `remove`: forgets documents.
- * @typedef {{ask: 'list'} | {ask: 'read', id: string} | {ask: 'keep', stored: Stored, parts: Map<string, any>, keys: string[]}
- *   | {ask: 'remove', ids: string[]}} StoreQuestion
+ * in `keys`: all or nothing, and nothing where another page than its own and `after` wrote it last, or where parts are missing.
+ * `remove`: forgets documents.
+ * @typedef {{ask: 'list'} | {ask: 'read', id: string} | {ask: 'remove', ids: string[]}
+ *   | {ask: 'keep', stored: Stored, parts: Map<string, any>, keys: string[], after: string | null}} StoreQuestion
  */
+
+/** What came of `keep`. @typedef {'kept' | 'changed' | 'incomplete'} KeepOutcome */
 
 /** The page's function for asking this worker. @typedef {(question: StoreQuestion) => Promise<any>} AskStore */
 
@@ -50,15 +53,21 @@ async function answer(question) {
     for (const id of question.ids) await Promise.all([documents.delete(id), parts.delete(partsOf(id))]);
     return writing.done;
   }
-  const { id } = question.stored;
+  const { id, page } = question.stored;
+  /** @type {[Stored | undefined, IDBValidKey[]]} */
+  const [before, keys] = await Promise.all([documents.get(id), parts.getAllKeys(partsOf(id))]);
+  if (before?.page && before.page !== page && before.page !== question.after) return 'changed';
+  const there = new Set(keys.map((key) => /** @type {string[]} */ (key)[1]));
+  if (question.keys.some((key) => !there.has(key) && !question.parts.has(key))) return 'incomplete';
   const wanted = new Set(question.keys);
-  const gone = (await parts.getAllKeys(partsOf(id))).filter((key) => !wanted.has(/** @type {string[]} */ (key)[1]));
+  const gone = keys.filter((key) => !wanted.has(/** @type {string[]} */ (key)[1]));
   await Promise.all([
     documents.put(question.stored),
     ...[...question.parts].map(([key, part]) => parts.put(part, [id, key])),
     ...gone.map((key) => parts.delete(key)),
   ]);
-  return writing.done;
+  await writing.done;
+  return 'kept';
 }
 
 answerRequests(

@@ -45,10 +45,14 @@ async function ask(question) {
     case 'remove':
       return question.ids.forEach((id) => stored.delete(id));
     case 'keep': {
-      const { id } = question.stored;
+      const { id, page } = question.stored;
+      const before = stored.get(id);
+      if (before && before.stored.page !== page && before.stored.page !== question.after) return 'changed';
+      if (question.keys.some((key) => !before?.parts.has(key) && !question.parts.has(key))) return 'incomplete';
       const parts = new Map([...(stored.get(id)?.parts ?? []), ...copied(question.parts)]);
       for (const key of parts.keys()) if (!question.keys.includes(key)) parts.delete(key);
-      return stored.set(id, { stored: copied(question.stored), parts });
+      stored.set(id, { stored: copied(question.stored), parts });
+      return 'kept';
     }
   }
 }
@@ -198,6 +202,74 @@ describe('documents', () => {
     next.work();
     expect(next.desk.state.document).toEqual(before);
     expect(next.desk.canReopen).toBe(false);
+  });
+});
+
+describe('two pages with one document, where the browser cannot say whose it is,', () => {
+  /** @param {ReturnType<typeof createPage>} page */
+  const tolerance = (page) => page.desk.state.document.settings.tolerance;
+  const change = (/** @type {number} */ value) =>
+    /** @type {const} */ ({ type: 'settingsChanged', change: { tolerance: value } });
+
+  /** Two pages on a document, of which one has been changed. */
+  async function both() {
+    const first = createPage();
+    await first.begin('?shape=cube');
+    first.desk.dispatch(quick);
+    first.work();
+    await first.desk.flush();
+    const [id] = stored.keys();
+    const second = createPage();
+    await second.begin('', id);
+    second.desk.dispatch(change(0.25));
+    await second.desk.flush();
+    expect(first.desk.state.view.alert).toBeNull();
+    return { first, second, id };
+  }
+
+  test('keep both: the one that writes later goes on as a document of its own, and says so', async () => {
+    const { first, second, id } = await both();
+    first.desk.dispatch(change(0.5));
+    await first.desk.flush();
+    expect(first.desk.state.view.alert?.title).toBe('Another tab has changed this document');
+    expect(second.desk.state.view.alert).toBeNull();
+    await first.desk.flush();
+    expect(first.desk.tabs().map((tab) => tab.id === id)).toEqual([false]);
+    second.desk.dispatch(change(0.125));
+    await Promise.all([first.desk.flush(), second.desk.flush()]);
+    expect(second.desk.state.view.alert).toBeNull();
+
+    const next = createPage();
+    await next.begin();
+    expect(next.names()).toEqual(['Cube *', 'Cube (2)']);
+    const found = next.desk.tabs().map((tab) => {
+      next.desk.show(tab.id);
+      return [tolerance(next), next.desk.state.history.past.length];
+    });
+    expect(found).toEqual([
+      [0.125, 3],
+      [0.5, 2],
+    ]);
+  });
+
+  test('keep what is closed in one of them, beside what the other has', async () => {
+    const { first, second } = await both();
+    first.desk.dispatch(change(0.5));
+    await first.desk.close(first.desk.tabs()[0].id);
+    expect(tolerance(second)).toBe(0.25);
+    await first.desk.reopen();
+    expect(tolerance(first)).toBe(0.5);
+  });
+
+  test('write a document that the other one has forgotten with all its parts', async () => {
+    const { second, id } = await both();
+    await ask({ ask: 'remove', ids: [id] });
+    second.desk.dispatch(change(0.5));
+    await second.desk.flush();
+    const next = createPage();
+    await next.begin('', id);
+    expect(tolerance(next)).toBe(0.5);
+    expect(next.desk.state.history.past).toHaveLength(3);
   });
 });
 

@@ -5,6 +5,7 @@
 import { beforeAll, expect, test } from '@jest/globals';
 import { load } from '../../../wasm/umbilic.js';
 import { undoName } from '../../../web/pages/studio/state/history.js';
+import { heldNormal } from '../../../web/pages/studio/state/normals.js';
 import { createStudio } from './real.js';
 import { leaves } from './state.js';
 
@@ -128,4 +129,42 @@ test('leads a pin to where its fields say, of a run of any functional; undo does
   studio.do(undo);
   expect(studio.state.session.targets).toBe(targets);
   expect(studio.state.document.settings.constraints.pins).toEqual([{ vertex: 1 }, { vertex: 25 }]);
+});
+
+test('turns the normal that a pin holds; held as it was, only a new run knows it', () => {
+  const studio = createStudio('?shape=torus');
+  /** @param {boolean | [number, number, number]} normal @param {boolean} [moving] @returns {Action} */
+  const turn = (normal, moving = false) => ({ type: 'pinTurned', index: 0, normal, moving });
+  studio.do(
+    { type: 'settingsChanged', change: { functional: 'bending', levels: [1, 1] } },
+    { type: 'vertexPinned', vertex: 1 },
+    { type: 'vertexPinned', vertex: 25 },
+  );
+  const normal = () => [...(studio.state.view.surface?.limit.normals.slice(0, 3) ?? [])];
+  studio.do(turn(true));
+  expect(undoName(studio.state)).toBe('hold a normal');
+  expect(studio.state.document.settings.constraints.pins?.[0]).toEqual({ vertex: 1, normal: true });
+  const own = normal();
+  studio.do(start);
+  normal().forEach((x, axis) => expect(x).toBeCloseTo(own[axis], 5));
+
+  const tilted = /** @type {[number, number, number]} */ ([own[0] + 0.1, own[1] - 0.2, own[2] + 0.2]);
+  const length = Math.hypot(...tilted);
+  studio.dispatch(turn([tilted[0] / 2, tilted[1] / 2, tilted[2] / 2], true));
+  studio.do(turn(tilted));
+  expect(undoName(studio.state)).toBe('turn a normal');
+  expect(leaves(studio.state)).toMatchObject({ status: 'ended', stop: 'converged' });
+  normal().forEach((x, axis) => expect(x).toBeCloseTo(tilted[axis] / length, 5));
+  heldNormal({ vertex: 1, normal: tilted }, { normals: new Float32Array(3) })?.forEach((x, axis) =>
+    expect(x).toBeCloseTo(tilted[axis] / length, 12),
+  );
+
+  const { targets } = studio.state.session;
+  studio.do(turn([0, 0, 0]));
+  expect(studio.state.document.settings.constraints.pins?.[0].normal).toEqual(tilted);
+  studio.do(undo);
+  expect(studio.state.session.targets).toBe(targets);
+  expect(studio.state.document.settings.constraints.pins?.[0].normal).toBe(true);
+  studio.do(turn(false));
+  expect(studio.state.document.settings.constraints.pins?.[0]).toEqual({ vertex: 1 });
 });

@@ -4,7 +4,7 @@
  * come back with the next visit.
  */
 import { parseStudioAddress } from '../../address/studio.js';
-import { projectName } from './names.js';
+import { numbered, projectName } from './names.js';
 import { createOpenDocument, withFile } from './open_document.js';
 import { formatProject, parseProject } from './project.js';
 import { isBusy, isUntouched, keepsOther, keptFrom, stateFrom } from './state/kept.js';
@@ -13,7 +13,7 @@ import { initialState } from './state/reduce.js';
 import { documentName } from './state/select.js';
 
 /** @import {Stored} from '../../worker/store.js' */
-/** @import {createKeeper, Copy, Writer} from './keeper.js' */
+/** @import {createKeeper, Copy, Writer, Writing} from './keeper.js' */
 /** @import {OfferedFile, OpenDocument, Surroundings} from './open_document.js' */
 /** @import {createOwnership} from './ownership.js' */
 /** @import {Action, State} from './state/types.js' */
@@ -25,7 +25,8 @@ const MOST_CLOSED = 5;
 
 /** @typedef {{id: string, name: string, running: boolean, active: boolean}} Tab */
 /** @typedef {{id: string, document: OpenDocument, writer: Writer, address: string, seen: number, lastDone: State['history'],
- *   file: string | null}} Open `file` is the one that it began with, until it has opened */
+ *   file: string | null, after: string | null}} Open `file` is the one that it began with, until it has opened; `after` the page that
+ *   wrote it before this one */
 
 let lastTime = 0;
 /** Milliseconds, later at each call. */
@@ -47,6 +48,8 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
   /** Closed documents, and those whose page was closed, the last one last. @type {string[]} */
   let closed = [];
   let active = '';
+  /** How many documents another page had when this one began, until something is opened or closed here. */
+  let elsewhere = 0;
 
   /** @returns {Open} */
   function current() {
@@ -66,30 +69,65 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
   /**
    * @param {string} id
    * @param {State} state
-   * @param {Partial<Pick<Copy, 'address' | 'seen'>> & {known?: string[]}} [copy] in the store
+   * @param {Partial<Pick<Copy, 'address' | 'seen'>> & Pick<Writing, 'known' | 'after'>} [copy] in the store
    * @returns {Open}
    */
-  function put(id, state, { address = '', seen = later(), known = [] } = {}) {
+  function put(id, state, { address = '', seen = later(), ...stored } = {}) {
     const document = createOpenDocument(state, {
       ...outside,
       setAddress(search) {
         mine.address = search;
-        if (id === active) setAddress(search, id);
+        if (mine.id === active) setAddress(search, mine.id);
       },
       changed(before, after) {
         if (after.document.cage && keepsOther(before, after)) mine.writer.touch();
         if (mine.file !== null) followFile(mine, after);
-        if (id !== active && isBusy(before) && !isBusy(after)) sleepSoon(id);
+        if (mine.id !== active && isBusy(before) && !isBusy(after)) sleepSoon(mine.id);
         changed();
       },
     });
-    /** @param {Copy} copy */
-    const written = ({ kept }) => (mine.lastDone = kept.history);
-    const writer = keeper.writer(id, () => copyOf(mine), written, known);
     /** @type {Open} */
-    const mine = { id, document, writer, address, seen, lastDone: state.history, file: null };
+    const mine = {
+      id,
+      document,
+      writer: writerOf(id, () => mine, stored),
+      address,
+      seen,
+      lastDone: state.history,
+      file: null,
+      after: stored.after ?? null,
+    };
     open.set(id, mine);
     return mine;
+  }
+
+  /** @param {string} id @param {() => Open} mine @param {Pick<Writing, 'known' | 'after'>} stored */
+  function writerOf(id, mine, stored) {
+    return keeper.writer(id, () => copyOf(mine()), {
+      ...stored,
+      written: ({ kept }) => (mine().lastDone = kept.history),
+      parted: () => part(mine()),
+    });
+  }
+
+  /** Another page has written the document: what is here goes on as one of its own, beside it. @param {Open} mine */
+  function part(mine) {
+    const before = mine.id;
+    if (open.get(before) !== mine) return;
+    const all = [...open.values()];
+    mine.id = newId();
+    void ownership.take(mine.id);
+    ownership.give(before);
+    mine.after = null;
+    mine.writer = writerOf(mine.id, () => mine, {});
+    open.clear();
+    for (const one of all) open.set(one.id, one); // in the order of their tabs
+    if (active === before) {
+      active = mine.id;
+      setAddress(mine.address, mine.id);
+    }
+    mine.writer.touch();
+    mine.document.dispatch({ type: 'documentParted' });
   }
 
   /** A document that its file does not fill gives way to the others, where that is said. @param {Open} mine @param {State} after */
@@ -107,6 +145,16 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
       const message = view.alert?.message ?? '';
       current().document.dispatch({ type: 'fileRefused', name, message });
     });
+  }
+
+  /** Writes a document as a closed one; under another id where another page has written it. @param {Open} mine @param {string} id @param {string | null} after @returns {Promise<string>} */
+  async function keepClosed(mine, id, after) {
+    let parted = false;
+    const writer = keeper.writer(id, () => copyOf(mine, Date.now()), { after, parted: () => (parted = true) });
+    writer.touch();
+    await writer.flush();
+    await writer.stop();
+    return parted ? keepClosed(mine, newId(), null) : id;
   }
 
   /** @param {string} id */
@@ -143,6 +191,7 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     void ownership.take(id);
     const mine = put(id, state);
     mine.file = file;
+    elsewhere = 0;
     const before = open.get(active);
     active = id;
     if (before && !isBusy(before.document.state)) before.document.sleep();
@@ -173,7 +222,10 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     const all = await keeper.list().catch(() => []);
     const order = all.filter((one) => !one.closed).sort((a, b) => (a.id < b.id ? -1 : 1));
     const own = order.filter(({ id }) => ownership.had(id));
-    for (const stored of own.length ? own : order) await bringBack(stored, begun);
+    const mine = own.length ? own : order;
+    // At once, since each may wait for the page before this one.
+    await Promise.all(mine.map(({ id }) => ownership.take(id)));
+    for (const stored of mine) await bringBack(stored, begun);
     const again = shown !== null && open.has(shown);
     if (!again) await dropUntouched(search);
     const last = [...open.values()].sort((a, b) => b.seen - a.seen)[0];
@@ -182,10 +234,13 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     await forgetClosed(all.filter((one) => one.closed));
     // Those of a page that is gone. One that is being loaded again must not find them taken.
     const others = order.filter(({ id, content }) => !open.has(id) && content.past.length + content.future.length > 0);
-    closed = [...closed, ...(await ownership.free(others.map(({ id }) => id)))];
+    const free = await ownership.free(others.map(({ id }) => id));
+    closed = [...closed, ...free];
     if (problem) begin(withFile(begun, problem), 'text' in problem ? problem.name : null);
     else if (chosen) show(chosen);
     else begin(begun);
+    elsewhere = others.length - free.length;
+    changed();
     for (const { id, document } of open.values()) {
       if (id !== active && document.state.session.phase.name === 'running') document.wake();
     }
@@ -232,15 +287,14 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
 
     /** @returns {Tab[]} */
     tabs() {
-      /** @type {Map<string, number>} */
-      const counts = new Map();
-      return [...open.values()].map(({ id, document }) => {
-        const title = documentName(document.state);
-        const count = (counts.get(title) ?? 0) + 1;
-        counts.set(title, count);
-        const name = count > 1 ? `${title} (${count})` : title;
-        return { id, name, running: document.state.session.phase.name === 'running', active: id === active };
-      });
+      const all = [...open.values()];
+      const names = numbered(all.map(({ document }) => documentName(document.state)));
+      return all.map(({ id, document: { state } }, i) => ({
+        id,
+        name: names[i],
+        running: state.session.phase.name === 'running',
+        active: id === active,
+      }));
     },
 
     /** The file of the document on the screen. @returns {{name: string, text: string} | null} null if it has nothing yet */
@@ -284,6 +338,11 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
       begin(initialState(theme, parseStudioAddress('')));
     },
 
+    /** How many documents, with which something was done, are open in other pages. */
+    get elsewhere() {
+      return elsewhere;
+    },
+
     get canReopen() {
       return closed.length > 0;
     },
@@ -298,15 +357,12 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
         if (next) show(next);
         else desk.create();
       }
+      elsewhere = 0;
       open.delete(id);
       mine.document.dispose();
       await mine.writer.stop();
       if (mine.document.state.document.cage && !isUntouched(mine.document.state)) {
-        const last = keeper.writer(id, () => copyOf(mine, Date.now()));
-        last.touch();
-        await last.flush();
-        await last.stop();
-        closed = [...closed, id].slice(-MOST_CLOSED);
+        closed = [...closed, await keepClosed(mine, id, mine.after)].slice(-MOST_CLOSED);
       } else {
         await keeper.remove([id]).catch(() => {});
       }

@@ -2,9 +2,9 @@
 /**
  * @file Keeps documents in the store: soon after a change, one write at a time, each only with what is new.
  */
-import { createPacking } from './packing.js';
+import { createPacking, visit } from './packing.js';
 
-/** @import {AskStore, Stored} from '../../worker/store.js' */
+/** @import {AskStore, KeepOutcome, Stored} from '../../worker/store.js' */
 /** @import {Kept} from './state/kept.js' */
 
 /** Milliseconds from a change to its write. */
@@ -22,6 +22,12 @@ export const KEEP_INTERVAL = 700;
  * @property {() => void} touch it has changed
  * @property {() => Promise<void>} flush writes what has changed, at once
  * @property {() => Promise<void>} stop ends it, once what is being written has been written
+ *
+ * @typedef {object} Writing
+ * @property {(copy: Copy) => void} [written] called with what is in the store
+ * @property {() => void} [parted] called when another page has written the document, which nobody may write here from then on
+ * @property {Iterable<string>} [known] keys of the parts that are in the store
+ * @property {string | null} [after] the page that wrote it last, as it was read
  */
 
 /**
@@ -31,19 +37,20 @@ export const KEEP_INTERVAL = 700;
  * @param {() => number} [surroundings.now] milliseconds
  */
 export function createKeeper({ ask, told, now = () => performance.now() }) {
-  const packing = createPacking();
+  const page = visit();
+  const packing = createPacking(page);
 
   /**
    * @param {string} id
    * @param {() => Copy} copy called when it is written
-   * @param {(copy: Copy) => void} [written]
-   * @param {Iterable<string>} [known] keys of the parts that are in the store
+   * @param {Writing} [about]
    * @returns {Writer}
    */
-  function writer(id, copy, written = () => {}, known = []) {
+  function writer(id, copy, { written = () => {}, parted = () => {}, known = [], after = null } = {}) {
     const there = new Set(known);
     let dirty = false;
     let stopped = false;
+    let gone = false;
     let last = -Infinity;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     let timer;
@@ -51,7 +58,7 @@ export function createKeeper({ ask, told, now = () => performance.now() }) {
     let writing = Promise.resolve();
 
     function schedule() {
-      if (timer !== undefined || stopped) return;
+      if (timer !== undefined || stopped || gone) return;
       timer = setTimeout(() => void write(), Math.max(SOON, last + KEEP_INTERVAL - now()));
     }
 
@@ -62,17 +69,30 @@ export function createKeeper({ ask, told, now = () => performance.now() }) {
     }
 
     async function writeOnce() {
-      if (!dirty) return;
+      if (!dirty || gone) return;
       dirty = false;
       last = now();
       const mine = copy();
       const { kept, ...about } = mine;
       const { packed, parts } = packing.pack(kept);
-      const fresh = new Map([...parts].filter(([key]) => !there.has(key)));
       const { address, ...times } = about;
+      const stored = { id, ...times, page, content: { ...packed, address } };
+      /** @returns {Promise<KeepOutcome>} */
+      function keep() {
+        const fresh = new Map([...parts].filter(([key]) => !there.has(key)));
+        return ask({ ask: 'keep', stored, parts: fresh, keys: [...parts.keys()], after });
+      }
       try {
-        const stored = { id, ...times, content: { ...packed, address } };
-        await ask({ ask: 'keep', stored, parts: fresh, keys: [...parts.keys()] });
+        let outcome = await keep();
+        if (outcome === 'incomplete') {
+          there.clear();
+          outcome = await keep();
+        }
+        if (outcome === 'changed') {
+          gone = true;
+          clearTimeout(timer);
+          return parted();
+        }
         there.clear();
         for (const key of parts.keys()) there.add(key);
         written(mine);
@@ -103,10 +123,17 @@ export function createKeeper({ ask, told, now = () => performance.now() }) {
     /** The documents of the store, without their parts. @returns {Promise<Stored[]>} */
     list: () => ask({ ask: 'list' }),
 
-    /** @param {Stored} stored @returns {Promise<Copy & {known: string[]}>} `known` are the keys of its parts */
-    async read({ id, seen, closed, content: { address, ...packed } }) {
+    /** @param {Stored} stored @returns {Promise<Copy & Required<Pick<Writing, 'known' | 'after'>>>} */
+    async read({ id, seen, closed, page, content: { address, ...packed } }) {
       const parts = await ask({ ask: 'read', id });
-      return { kept: packing.unpack(packed, parts), address, seen, closed, known: [...parts.keys()] };
+      return {
+        kept: packing.unpack(packed, parts),
+        address,
+        seen,
+        closed,
+        known: [...parts.keys()],
+        after: page ?? null,
+      };
     },
 
     /** @param {string[]} ids */

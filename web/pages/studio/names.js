@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The names of the files that are saved.
+ * @file The names of documents among each other, and of the files that are saved.
  */
 import { stemOf } from '../../words/cages.js';
 
@@ -42,4 +42,15 @@ export function fileName({ document: { cage, result }, view }, what, { steps = 1
   if (what === 'picture') parts.push(view.shading, ...(size ? [size.join('x')] : []));
   if (colouring) parts.push(colouring.shading);
   return parts.join('-') + formats[what].ending;
+}
+
+/** Titles as names: those that are there before have a number. @param {string[]} titles @returns {string[]} */
+export function numbered(titles) {
+  /** @type {Map<string, number>} */
+  const counts = new Map();
+  return titles.map((title) => {
+    const count = (counts.get(title) ?? 0) + 1;
+    counts.set(title, count);
+    return count > 1 ? `${title} (${count})` : title;
+  });
 }

@@ -13,8 +13,8 @@
 /** @typedef {Omit<Kept, 'document' | 'history'> & {document: PackedDocument, past: string[], future: string[]}} Packed */
 /** @typedef {PackedStep | FileText} Part */
 
-/** A number that no other visit uses. */
-const visit = () => `${Date.now().toString(36)}.${Math.random().toString(36).slice(2, 8)}`;
+/** A word that no other visit uses. */
+export const visit = () => `${Date.now().toString(36)}.${Math.random().toString(36).slice(2, 8)}`;
 
 /** @param {string} [prefix] of the keys of parts */
 export function createPacking(prefix = visit()) {

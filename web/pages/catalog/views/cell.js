@@ -32,10 +32,12 @@ export function picture(entry, words, loading = 'lazy') {
 
 /**
  * @param {CatalogEntry} entry
- * @param {string} words shape and functional
+ * @param {string} shape
+ * @param {string} functional
  * @param {(action: Action) => void} dispatch
  */
-export function createCell(entry, words, dispatch) {
+export function createCell(entry, shape, functional, dispatch) {
+  const words = `${shape}, ${functional}`;
   const id = entryName(entry);
   const choose = element('input', { type: 'checkbox', 'aria-label': `Compare ${words}` });
   choose.addEventListener('change', () => dispatch({ type: 'entryChosen', entry: id, chosen: choose.checked }));
@@ -55,7 +57,7 @@ export function createCell(entry, words, dispatch) {
   content.append(element('div', { class: 'tools' }, ...(entry.minimizer ? [label] : []), more));
 
   return {
-    root: element('td', {}, content),
+    root: element('td', {}, element('p', { class: 'column only-narrow' }, functional), content),
     /** @param {State} state */
     update({ chosen, address }) {
       const isChosen = chosen.includes(id);

@@ -37,9 +37,8 @@ function createRow(row, { functionals }, dispatch) {
     element('span', {}, ...(group ? [...groupSymbol(group.name), `, order ${group.order}`] : [])),
   ];
   const name = element('th', { scope: 'row' }, element('strong', {}, title), ...facts);
-  const cells = entries.map(
-    (entry, i) => entry && createCell(entry, `${title}, ${columnWords(functionals[i]).name}`, dispatch),
-  );
+  const columns = functionals.map((functional) => columnWords(functional).name);
+  const cells = entries.map((entry, i) => entry && createCell(entry, title, columns[i], dispatch));
   return {
     name: shape.name,
     root: element(

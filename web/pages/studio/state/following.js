@@ -7,7 +7,7 @@ import { askedOf, withResult, withSession } from './parts.js';
 import { activeWeights, problemWith } from './settings.js';
 
 /** @import {Retargeted} from '../../../worker/protocol.js' */
-/** @import {Targets} from '../../../../wasm/types.js' */
+/** @import {Pin, Targets} from '../../../../wasm/types.js' */
 /** @import {Action, Settings, State} from './types.js' */
 
 /** Whether the worker has a run that can take other targets. @param {State} state */
@@ -23,14 +23,18 @@ const blends = ({ functional }) => functional === 'blend';
 export const takesWeights = (state) =>
   isOpen(state) && blends(state.document.settings) && blends(state.document.result.settings);
 
-/** What is held, but for where the pins lie. One that lies where the surface is holds all coordinates. @param {Settings} settings */
+/** What is held, but for where the pins lie and their normals point. One that lies where the surface is holds all coordinates. @param {Settings} settings */
 function heldBeside({ constraints, fill }) {
-  const pins = constraints.pins?.map(({ at = [0, 0, 0], ...pin }) => ({
+  const pins = constraints.pins?.map(({ at = [0, 0, 0], normal, ...pin }) => ({
     ...pin,
+    normal: Boolean(normal),
     free: at.map((x) => !Number.isFinite(x)),
   }));
   return JSON.stringify({ ...constraints, fill, pins });
 }
+
+/** What of a pin a run can be told. @param {Pin} pin */
+const targetOf = ({ at, normal }) => ({ ...(at && { at }), ...(Array.isArray(normal) && { normal }) });
 
 /** @param {unknown} one @param {unknown} other */
 const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
@@ -44,21 +48,18 @@ const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
 export function targetsBetween(asked, run) {
   const [terms, before] = [asked, run].map(activeWeights);
   const pins = asked.constraints.pins ?? [];
-  const places = pins.map(({ at }) => (at ? { at } : {}));
-  const moved = !same(
-    places,
-    (run.constraints.pins ?? []).map(({ at }) => (at ? { at } : {})),
-  );
+  const [places, placesBefore] = [pins, run.constraints.pins ?? []].map((some) => some.map(targetOf));
+  const moved = !same(places, placesBefore);
   const weighed = !same(terms, before);
   if (!moved && !weighed) return null;
   if (weighed && !(blends(asked) && blends(run))) return null;
-  // Where a pin lies that is asked to be where the surface was, only a new run knows.
-  const unknown = pins.some(({ at }, i) => !at && run.constraints.pins?.[i]?.at);
+  // Where a pin lies that is asked to be where the surface was, only a new run knows; and so for its normal.
+  const unknown = places.some((place, i) => Object.keys(placesBefore[i] ?? {}).some((key) => !(key in place)));
   if (heldBeside(asked) !== heldBeside(run) || unknown) return null;
   return { ...(weighed && { terms }), ...(moved && { pins: places }) };
 }
 
-const followedActions = new Set(['weightChanged', 'pinMoved', 'undoPressed', 'redoPressed']);
+const followedActions = new Set(['weightChanged', 'pinMoved', 'pinTurned', 'undoPressed', 'redoPressed']);
 
 /**
  * The state in which the run is told what an action has changed, if it can follow.

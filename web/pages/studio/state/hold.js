@@ -233,6 +233,16 @@ function changed(state, action) {
       const moved = pins.map((pin, i) => (i === action.index ? { ...pin, at: action.at } : pin));
       return withConstraints({ ...constraints, pins: moved });
     }
+    case 'pinTurned': {
+      const { pins = [] } = constraints;
+      const { index, normal } = action;
+      if (Array.isArray(normal) && !(Math.hypot(...normal) > 0)) return state;
+      const turned = pins.map(({ normal: before, ...pin }, i) => {
+        if (i !== index) return before === undefined ? pin : { ...pin, normal: before };
+        return normal === false ? pin : { ...pin, normal };
+      });
+      return withConstraints({ ...constraints, pins: turned });
+    }
     case 'conditionChosen':
       return withConstraints(withCondition(constraints, action.boundary, action.condition));
     case 'fillPressed': {

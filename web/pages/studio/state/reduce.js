@@ -145,7 +145,7 @@ function again(state) {
 }
 
 /** Whether the hand that changes something still moves. @param {HoldAction} action */
-const isMoving = (action) => action.type === 'facesPainted' || (action.type === 'pinMoved' && Boolean(action.moving));
+const isMoving = (action) => action.type === 'facesPainted' || ('moving' in action && Boolean(action.moving));
 
 /** @param {State} state @param {HoldAction} action @returns {State} */
 function hold(state, action) {
@@ -212,6 +212,7 @@ function changed(state, action) {
     case 'vertexPinned':
     case 'pinRemoved':
     case 'pinMoved':
+    case 'pinTurned':
     case 'copiesSwitched':
     case 'conditionChosen':
     case 'fillPressed':
@@ -286,6 +287,13 @@ function changed(state, action) {
       return redone(state);
     case 'linkRefused':
       return withView(state, { alert: { title: 'There is no link', message: action.message, save: true } });
+    case 'documentParted':
+      return withView(state, {
+        alert: {
+          title: 'Another tab has changed this document',
+          message: 'It goes on here as a document of its own. Both are kept.',
+        },
+      });
     case 'alertDismissed':
       return withView(state, { alert: null });
     case 'answered':

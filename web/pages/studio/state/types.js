@@ -252,6 +252,7 @@
  *   | {type: 'pinRemoved', index: number}
  *   | {type: 'copiesSwitched', on: boolean}
  *   | {type: 'pinMoved', index: number, at: [number, number, number], moving?: boolean}
+ *   | {type: 'pinTurned', index: number, normal: boolean | [number, number, number], moving?: boolean}
  *   | {type: 'conditionChosen', boundary: number | null, condition: BoundaryCondition}
  *   | {type: 'fillPressed', boundary: number | null, filled: boolean}
  *   | {type: 'closenessChanged', closeness: Closeness | null}} HoldAction
@@ -290,6 +291,7 @@
  *   | {type: 'undoPressed'} | {type: 'redoPressed'}
  *   | {type: 'wakened'}
  *   | {type: 'linkRefused', message: string}
+ *   | {type: 'documentParted'}
  *   | {type: 'alertDismissed'}
  *   | {type: 'answered', message: Message}
  *   | {type: 'workerLost', loss: Loss, detail: string}} Action

@@ -3,8 +3,13 @@
  * @file The documents that are open, as tabs: one is on the screen, others may run meanwhile.
  */
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
+import { counted } from '../../../words/numbers.js';
 
 /** @import {Tab} from '../desk.js' */
+
+/** @param {number} count of documents in other tabs of the browser */
+const elsewhereWords = (count) =>
+  count ? `${counted(count, 'document')} ${count > 1 ? 'are' : 'is'} open in another tab of the browser.` : '';
 
 /**
  * @typedef {object} Commands
@@ -56,11 +61,20 @@ export function createDocumentsView(root, { show, close, create, reopen }) {
   });
 
   return {
-    /** @param {{tabs: Tab[], canReopen: boolean, unkept: string | null}} shown `unkept` is why nothing is kept, or null */
-    update({ tabs, canReopen, unkept }) {
+    /**
+     * @param {object} shown
+     * @param {Tab[]} shown.tabs
+     * @param {boolean} shown.canReopen
+     * @param {string | null} shown.unkept why nothing is kept, or null
+     * @param {number} shown.elsewhere how many documents other tabs of the browser have
+     */
+    update({ tabs, canReopen, unkept, elsewhere }) {
       showTabs(JSON.stringify({ tabs }));
       again.hidden = !canReopen;
-      setText(note, unkept ? `This browser does not keep your work: ${unkept}. Save what you need.` : '');
+      setText(
+        note,
+        unkept ? `This browser does not keep your work: ${unkept}. Save what you need.` : elsewhereWords(elsewhere),
+      );
     },
     dispose: () => listening.abort(),
   };

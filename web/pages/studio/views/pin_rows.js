@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The rows of the list of pins: what each holds, how strongly it pulls, and where it lies, in fields that move it.
+ * @file The rows of the list of pins: what each holds, how strongly it pulls, and where it lies and its normal points, in fields
+ * that move and turn it.
  */
 import { pinWords, pullWords } from '../../../words/holding.js';
 import { element, setText } from '../../../views/dom.js';
@@ -8,10 +9,16 @@ import { element, setText } from '../../../views/dom.js';
 /** @import {Pin, PinReport} from '../../../../wasm/types.js' */
 /** @import {Action} from '../state/types.js' */
 
-/** @typedef {{item: HTMLElement, update: (pin: Pin, report: PinReport | undefined, step: number) => void}} PinRow */
+/** @import {Normal} from '../state/normals.js' */
+
+/** @typedef {{item: HTMLElement, update: (pin: Pin, report: PinReport | undefined, normal: Normal | null, step: number) => void}} PinRow */
+
+/** Of a component of a normal. */
+const TURN = 0.05;
 
 /** What a row depends on; another pin has another row. @param {Pin} pin */
-const keyOf = ({ at, ...rest }) => JSON.stringify({ ...rest, free: at?.map((x) => !Number.isFinite(x)) });
+const keyOf = ({ at, normal, ...rest }) =>
+  JSON.stringify({ ...rest, normal: Boolean(normal), free: at?.map((x) => !Number.isFinite(x)) });
 
 /**
  * @param {Pin} first the pin
@@ -40,9 +47,10 @@ function createPinRow(first, index, dispatch, signal) {
     input.addEventListener('change', () => move(false), { signal });
     return input;
   });
+  const turn = createTurn(first, index, dispatch, signal);
   const labels = inputs.map((input, c) => element('label', {}, element('span', {}, 'xyz'[c]), input));
   const fields = element('span', { class: 'places', role: 'group' }, ...labels);
-  const item = element('li', {}, element('span', { class: 'dot' }), name, strength, remove, fields);
+  const item = element('li', {}, element('span', { class: 'dot' }), name, strength, remove, fields, turn.item);
   item.addEventListener('focusin', () => dispatch({ type: 'viewChanged', change: { pin: index } }), { signal });
 
   /** @param {Pin} pin @param {PinReport | undefined} report @param {number} step */
@@ -61,7 +69,7 @@ function createPinRow(first, index, dispatch, signal) {
 
   return {
     item,
-    update(pin, report, step) {
+    update(pin, report, normal, step) {
       const words = pinWords({ ...pin, at: undefined }); // the fields tell where
       setText(name, words);
       remove.setAttribute('aria-label', `Remove the pin: ${words}`);
@@ -74,6 +82,57 @@ function createPinRow(first, index, dispatch, signal) {
       fields.setAttribute('aria-label', `Where ${words} lies`);
       for (const input of inputs) input.step = String(step);
       showPlace(pin, report, step);
+      turn.update(normal);
+    },
+  };
+}
+
+/**
+ * Whether a pin holds the normal, and which.
+ * @param {Pin} pin
+ * @param {number} index
+ * @param {(action: Action) => void} dispatch
+ * @param {AbortSignal} signal
+ */
+function createTurn(pin, index, dispatch, signal) {
+  const box = element('input', { type: 'checkbox' });
+  box.checked = Boolean(pin.normal);
+  // A pin that holds nothing else has to.
+  box.disabled = pin.position === false;
+  box.addEventListener('change', () => dispatch({ type: 'pinTurned', index, normal: box.checked }), { signal });
+  const inputs = ['x', 'y', 'z'].map((axis) => {
+    const label = `${axis} of the normal of ${pinWords(pin)}`;
+    const input = element('input', { type: 'number', step: String(TURN), 'aria-label': label });
+    /** @param {boolean} moving */
+    const turn = (moving) => {
+      const [x, y, z] = inputs.map((one) => one.valueAsNumber);
+      if (Number.isFinite(x + y + z)) dispatch({ type: 'pinTurned', index, normal: [x, y, z], moving });
+    };
+    input.addEventListener('input', () => turn(true), { signal });
+    input.addEventListener('change', () => turn(false), { signal });
+    return input;
+  });
+  const fields = element(
+    'span',
+    { class: 'places', role: 'group', 'aria-label': `The normal of ${pinWords(pin)}` },
+    ...inputs.map((input, c) => element('label', {}, element('span', {}, `n${'xyz'[c]}`), input)),
+  );
+  const label = element(
+    'label',
+    { class: 'check', title: 'The surface keeps its normal there' },
+    box,
+    ' Hold the normal',
+  );
+  return {
+    item: element('span', { class: 'turn' }, label, fields),
+    /** @param {Normal | null} normal */
+    update(normal) {
+      fields.hidden = !normal;
+      // What is typed is of any length; while it is typed it stays.
+      inputs.forEach((input, c) => {
+        if (!normal || inputs.includes(/** @type {any} */ (document.activeElement))) return;
+        input.value = String(Number(normal[c].toFixed(3)));
+      });
     },
   };
 }
@@ -87,8 +146,13 @@ export function createPinRows(list, dispatch, signal) {
   /** @type {PinRow[]} */
   let rows = [];
   let keys = '';
-  /** @param {Pin[]} pins @param {PinReport[]} reports @param {number} size of the surface */
-  return (pins, reports, size) => {
+  /**
+   * @param {Pin[]} pins
+   * @param {PinReport[]} reports
+   * @param {Array<Normal | null>} normals that they hold
+   * @param {number} size of the surface
+   */
+  return (pins, reports, normals, size) => {
     const now = pins.map(keyOf).join();
     if (now !== keys) {
       keys = now;
@@ -100,7 +164,7 @@ export function createPinRows(list, dispatch, signal) {
     const step = Number((size / 200).toPrecision(1)) || 0.01;
     rows.forEach((row, index) => {
       const report = reports.find((one) => one.pin === index + 1 && !one.copy);
-      row.update(pins[index], report, step);
+      row.update(pins[index], report, normals[index], step);
     });
   };
 }

@@ -4,6 +4,7 @@
  * pull.
  */
 import { holdsTheSame } from '../state/hold.js';
+import { heldNormal } from '../state/normals.js';
 import { pullWords, regionWords } from '../../../words/holding.js';
 import { createPinRows } from './pin_rows.js';
 import { createLines, element, find, setText, whenChanged } from '../../../views/dom.js';
@@ -64,7 +65,8 @@ export function createPinsView(root, dispatch) {
       /** @type {State['view']['surface']} */ surface,
     ) => {
       const focused = [...list.querySelectorAll('button')].findIndex((button) => button === document.activeElement);
-      showPins(pins, report?.pins ?? [], sizeOf(surface));
+      const normals = pins.map((pin) => surface && heldNormal(pin, surface.limit));
+      showPins(pins, report?.pins ?? [], normals, sizeOf(surface));
       // The button that had the focus may be gone.
       const buttons = list.querySelectorAll('button');
       const next = buttons[Math.min(focused, buttons.length - 1)] ?? document.querySelector('#pointer input:checked');

@@ -8,6 +8,7 @@ import { createScene } from '../../../scene/scene.js';
 import { editingOn } from '../state/editing.js';
 import { heldWithCopies, shownHeld } from '../state/hold.js';
 import { cageOnScreen } from '../state/taken.js';
+import { heldNormal } from '../state/normals.js';
 import { computedValues } from '../state/wish.js';
 import { createBoundaryEdges } from './boundary_edges.js';
 import { listenToBrush } from './brush.js';
@@ -39,23 +40,26 @@ const PIN_REACH = 14;
 
 /**
  * Where a pin is to be moved: `place` has NaN for coordinates that stay free, and `surface` is where its point lies now, in the
- * coordinates of the file.
- * @typedef {{index: number, place: number[], surface: number[]}} Handled
+ * coordinates of the file. `normal` is the one that it holds, of length 1.
+ * @typedef {{index: number, place: number[], surface: number[], normal: [number, number, number] | null}} Handled
  *
  * @param {Document} document
  * @param {Mesh} mesh of the surface
  * @param {number} index of the pin
  * @returns {Handled | null} null if there is no such pin, or nobody knows where it lies
  */
-function handledPin({ settings, result }, { positions, centre }, index) {
+function handledPin({ settings, result }, mesh, index) {
+  const { positions, centre } = mesh;
   const pin = settings.constraints.pins?.[index];
-  if (!pin || pin.position === false) return null;
+  const normal = pin ? heldNormal(pin, mesh) : null;
+  if (!pin || (pin.position === false && !normal)) return null;
   const reported = result.constrained?.pins.find((one) => one.pin === index + 1 && !one.copy)?.position;
   const first = 3 * ((pin.vertex ?? 0) - 1);
   const known = first >= 0 && first + 2 < positions.length;
   const own = known ? [0, 1, 2].map((axis) => positions[first + axis] + centre[axis]) : reported;
   const place = pin.at ?? own;
-  return place ? { index, place: [...place], surface: [...(own ?? place)] } : null;
+  if (!place) return null;
+  return { index, place: pin.position === false ? [NaN, NaN, NaN] : [...place], surface: [...(own ?? place)], normal };
 }
 
 /**
@@ -90,8 +94,10 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
     const [x, y, z] = at.map((value, axis) => (Number.isFinite(place[axis]) ? value : NaN));
     dispatch({ type: 'pinMoved', index, at: [x, y, z], moving });
   }
+  /** @param {[number, number, number]} normal @param {boolean} moving */
+  const turned = (normal, moving) => handled && dispatch({ type: 'pinTurned', index: handled.index, normal, moving });
   const scene =
-    speed === 'never' ? null : createScene(canvas, { calm, slow: speed === 'slow', rested, drawn, dragged });
+    speed === 'never' ? null : createScene(canvas, { calm, slow: speed === 'slow', rested, drawn, dragged, turned });
   find(root, '.no-webgl').hidden = Boolean(scene);
   canvas.hidden = !scene;
 
@@ -157,7 +163,7 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
       handled = index === null ? null : handledPin(document, limit, index);
       const free = handled?.place.map((x) => Number.isFinite(x));
       const where = handled?.place.map((x, axis) => (Number.isFinite(x) ? x : (handled?.surface[axis] ?? 0)));
-      scene?.setHandle(where ?? null, free);
+      scene?.setHandle(where ?? null, free, handled?.normal);
     },
   );
   const boundaryEdges = createBoundaryEdges();
