@@ -53,4 +53,7 @@ std::string scaling();
 /// that do it each for itself.
 std::string threads();
 
+/// CPU seconds of the parts of levels of many kinds, beside those of driver/level_work.h.
+std::string rates();
+
 }  // namespace umbilic
