@@ -15,11 +15,15 @@
 namespace umbilic {
 namespace {
 
-/// Evaluations by level: of the level before those that can be evaluated, of the first of these, the second, and later
-/// ones.
-using Counts = std::array<double, 4>;
-constexpr Counts kSymmetricSecond{18, 26, 75, 52}, kSymmetricThird{17, 24, 60, 130};
-constexpr Counts kSobolev{60, 80, 150, 55}, kNewton{50, 80, 200, 100}, kIdentity{150, 300, 800, 900};
+/// Evaluations by level: of those before the first that can be evaluated, of this one, and of those after it.
+using Counts = std::array<double, 5>;
+constexpr Counts kSymmetricSecond{10, 18, 28, 90, 55}, kSymmetricThird{10, 16, 26, 65, 150};
+constexpr Counts kSphereSobolev{10, 0, 40, 25, 25}, kSobolev{10, 0, 120, 220, 60};
+constexpr Counts kNewton{10, 45, 90, 250, 250}, kIdentity{150, 300, 800, 900, 900};
+
+/// The first level that the Sobolev product minimizes, far from the minimum, takes an evaluation for each unknown, as
+/// long as there are few.
+double first_sobolev(double unknowns) { return unknowns / (1 + unknowns / 450); }
 
 /// Evaluations for each metric that is built, and how many are built at least.
 struct Metrics {
@@ -52,12 +56,13 @@ ExpectedCounts expected_counts(const LevelSize& size, int number, const RunOptio
   const MetricChoice metric = metric_for_level(options.metric, third, size.order, size.unknowns);
   const bool symmetric = size.order > 1;
   const Counts& counts = metric == MetricChoice::kIdentity  ? kIdentity
-                         : metric == MetricChoice::kSobolev ? kSobolev
+                         : metric == MetricChoice::kSobolev ? (size.genus > 1 ? kSobolev : kSphereSobolev)
                          : !symmetric                       ? kNewton
                          : third                            ? kSymmetricThird
                                                             : kSymmetricSecond;
   const double digits = -std::log10(std::max(tolerance_of(options), 1e-12));
-  double evaluations = counts[std::clamp(number + 1, 0, 3)];
+  double evaluations = counts[std::clamp(number + 1, 0, 4)];
+  if (number == 0 && metric == MetricChoice::kSobolev) evaluations = first_sobolev(size.unknowns);
   if (number >= 0) evaluations *= std::max(kLeastPart, 1 + kPerDigit * (digits - kTableDigits));
   if (near) evaluations *= kNearPart;
   evaluations = std::min(evaluations, options.max_iterations + 1.);

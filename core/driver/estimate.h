@@ -53,7 +53,7 @@ class Forecast {
     double bytes = 0;
 
     /// Of an evaluation, with its part of the metrics.
-    double each() const { return work.evaluation + work.metric * expected.metrics / expected.evaluations; }
+    double each() const { return work.energy + work.step + work.metric * expected.metrics / expected.evaluations; }
     double seconds() const { return work.set_up + expected.evaluations * each(); }
     double slowness() const;
   };

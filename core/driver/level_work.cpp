@@ -29,7 +29,7 @@ constexpr double kAssembledEntry = 1e-7, kScalarEntry = 2.5e-8;
 constexpr double kFactor = 3.5e-7, kSymmetricFactor = 5e-8, kScalarFactor = 2e-8;
 constexpr double kSolution = 1e-8, kSymmetricSolution = 2e-9;
 /// Of a step of L-BFGS beside these, for each unknown; and of a step at least.
-constexpr double kStepUnknown = 7e-8, kEvaluation = 2e-5;
+constexpr double kStepUnknown = 7e-8, kLeastStep = 1e-5;
 /// Of refining the mesh, with its layout, for each face; and how often energies are computed by the reporting rule.
 constexpr double kFace = 6e-7;
 constexpr double kReports = 2;
@@ -126,10 +126,10 @@ LevelWork level_work(const LevelSize& size, const Weights& weights, MetricChoice
   LevelWork work;
   work.set_up = kFace * size.mesh_faces +
                 kReports * evaluation_seconds(sample_counts(size, reporting_rule(size.cap)), kThirdOrder);
-  work.evaluation = kEvaluation + kStepUnknown * size.unknowns +
-                    evaluation_seconds(sample_counts(size, minimizing_rule(size.cap, weights)), rates);
+  work.energy = evaluation_seconds(sample_counts(size, minimizing_rule(size.cap, weights)), rates);
+  work.step = kLeastStep + kStepUnknown * size.unknowns;
   if (metric == MetricChoice::kIdentity) return work;
-  work.evaluation += (size.order > 1 ? kSymmetricSolution : kSolution) * std::pow(size.unknowns, 1.5);
+  work.step += (size.order > 1 ? kSymmetricSolution : kSolution) * std::pow(size.unknowns, 1.5);
   work.metric = metric_seconds(size, weights, metric);
   return work;
 }

@@ -33,6 +33,7 @@ struct LevelSize {
   double faces = 0;      ///< those that are free
   double unknowns = 0;
   int order = 1;         ///< of the symmetry
+  int genus = 0;         ///< the largest of a component's
   CapKind cap = CapKind::kSmooth;
   std::vector<CapCorners> corners;
 
@@ -59,9 +60,10 @@ SampleCounts sample_counts(const LevelSize& size, const QuadratureRule& rule);
 
 /// What a level does, each in seconds of one thread.
 struct LevelWork {
-  double set_up = 0;      ///< once: mesh, layout and report
-  double evaluation = 0;  ///< of energy and gradient, with a step of the optimizer
-  double metric = 0;      ///< each time: assembled and factored
+  double set_up = 0;  ///< once: mesh, layout and report
+  double energy = 0;  ///< an evaluation of energy and gradient
+  double step = 0;    ///< of the optimizer, beside one evaluation
+  double metric = 0;  ///< each time: assembled and factored
 };
 
 /// `metric` is one that a level uses, so not kAutomatic.

@@ -4,7 +4,6 @@
 #include "driver/machine_speed.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -25,28 +24,27 @@ double gain_of_threads() {
   return 1 / (1 - kSharedPart + kSharedPart / threads);
 }
 
-/// The best of several rounds, with one sample on each thread's own behalf.
+/// The best of several rounds, each of which all threads share.
 double measured_slowness() {
-  constexpr double kEnough = 4e-3;
+  constexpr double kEnoughSeconds = 4e-3;
   constexpr int kFewest = 3, kMost = 100;
   Weights weights{};
   weights[kMvsCross] = 1;
-  RefinedCage cage = *refine_to_evaluable(*generate_cage("torus"), 0, true);
+  RefinedCage cage = *refine_to_evaluable(*generate_cage("torus"), 1, false);
   const Points control = cage.control;
   const Surface surface(std::move(cage), CapKind::kSmooth, weights);
-  const LevelSize size = level_size(0, 0, surface.layout(), 0, surface.symmetry().order, 0);
+  const LevelSize size = level_size(1, 1, surface.layout(), 0, surface.symmetry().order, 0);
   Points gradient;
   double best = 1e300, total = 0;
-  for (int round = 0; round < kFewest || (total < kEnough && round < kMost); ++round) {
+  for (int round = 0; round < kFewest || (total < kEnoughSeconds && round < kMost); ++round) {
     using Clock = std::chrono::steady_clock;
-    constexpr int kTogether = 8;
     const auto begin = Clock::now();
-    for (int i = 0; i < kTogether; ++i) surface.energy().evaluate(control, &gradient);
+    surface.energy().evaluate(control, &gradient);
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    best = std::min(best, seconds / kTogether);
+    best = std::min(best, seconds);
     total += seconds;
   }
-  const double slowness = best / level_work(size, weights, MetricChoice::kIdentity).evaluation;
+  const double slowness = best / level_work(size, weights, MetricChoice::kIdentity).energy;
   return std::isfinite(slowness) && slowness > 0 ? slowness : 1;
 }
 
@@ -54,11 +52,16 @@ double measured_slowness() {
 
 double machine_slowness(bool large) {
   static std::mutex mutex;
-  static std::array<double, kInstructionSetCount> slowness{};  // of each set; 0 before it is measured
+  static InstructionSet set{};
+  static int threads = 0;
+  static double slowness = 1;
   const std::lock_guard lock(mutex);
-  double& known = slowness[static_cast<int>(instruction_set())];
-  if (known == 0) known = measured_slowness();
-  return large ? known / gain_of_threads() : known;
+  if (threads != thread_count() || set != instruction_set()) {
+    slowness = measured_slowness();
+    threads = thread_count();
+    set = instruction_set();
+  }
+  return large ? slowness : slowness * gain_of_threads();
 }
 
 }  // namespace umbilic

@@ -5,9 +5,9 @@
 
 namespace umbilic {
 
-/// Seconds that take this machine as long as one second took that one, for work that all threads of the process share
-/// where it is `large`. Measured on the first call, in a few milliseconds, by the energy of a torus with the kernels in
-/// use; as what the machine does when nothing disturbs it.
+/// Seconds of this machine for work that took that one a second on one thread. Threads share it, and where it is not
+/// `large` they gain nothing. Measured on the first call, and again when threads or kernels change, in a few
+/// milliseconds, by the energy of a torus; with the best of several rounds, so when nothing else disturbs the machine.
 double machine_slowness(bool large);
 
 }  // namespace umbilic

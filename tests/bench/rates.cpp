@@ -83,7 +83,7 @@ std::string row(const std::string& name, bool symmetric, int level, int function
       name, order, level, kFunctionalNames[functional], surface.mesh().face_count(), surface.layout().patch_count(),
       unknowns.count(), text_of(sample_counts(size, minimizing_rule(CapKind::kSmooth, weights)), "minimizing"),
       text_of(sample_counts(size, kSobolevRule), "sobolev"), refining, layout, report, evaluation, assembled, factored, solved,
-      metric, hessian_work.set_up, hessian_work.evaluation, hessian_work.metric, sobolev_work.metric);
+      metric, hessian_work.set_up, hessian_work.energy, hessian_work.metric, sobolev_work.metric);
 }
 
 }  // namespace
