@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "cage/text.h"
+#include "cli/estimates.h"
 
 namespace umbilic::cli {
 
@@ -19,7 +20,8 @@ namespace {
 void write_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 std::string describe(const Progress& progress) {
-  std::string text = fmt::format("level {}", progress.level);
+  std::string text = fmt::format("{:3.0f} %, {} left, level {}", std::floor(100 * progress.share_done),
+                                 rough_duration(progress.seconds_left), progress.level);
   if (progress.phase == Phase::kPrepare) return text + ": preparing";
   text += fmt::format(": {} evaluations", progress.evaluations);
   if (std::isfinite(progress.energy)) text += fmt::format(", energy {:.10g}", progress.energy);
@@ -41,6 +43,8 @@ int fail(int exit_code, std::string_view message) {
   write_error(fmt::format("umbilic: {}\n", printable_lines(message)));
   return exit_code;
 }
+
+void tell(std::string_view text) { write_error(text); }
 
 bool print(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;

@@ -40,6 +40,7 @@ describe('a run', () => {
       'problem',
       'cage',
       'group',
+      'estimate',
       'levels',
       'limit',
       'energies',

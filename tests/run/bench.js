@@ -7,6 +7,7 @@
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as evolver from './bench/beside_evolver.js';
+import * as estimates from './bench/estimates.js';
 import * as metrics from './bench/metrics.js';
 import * as overhead from './bench/overhead.js';
 import * as quadrature from './bench/quadrature.js';
@@ -28,7 +29,7 @@ import { root } from './process.js';
  */
 
 /** In the order of the tables. @type {Record<string, Subject>} */
-const subjects = { throughput, shapes, metrics, overhead, scaling, threads, evolver, quadrature };
+const subjects = { throughput, shapes, metrics, overhead, scaling, threads, estimates, evolver, quadrature };
 const byDefault = Object.keys(subjects).filter((name) => name !== 'quadrature');
 const results = path.join(root, 'build/bench.json');
 const readme = path.join(root, 'tests/bench/README.md');
