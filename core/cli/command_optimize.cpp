@@ -236,8 +236,7 @@ int run(const OptimizeArguments& arguments) {
   auto run = begin_run(file->problem);
   if (!run) return fail(kBadInput, run.error().message);
   const Estimate estimate = run->run.estimate();
-  if (arguments.estimate)
-    return print(estimate_table(estimate) + estimate_warnings(estimate)) ? kEnded : kCannotWrite;
+  if (arguments.estimate) return print(estimate_table(estimate) + estimate_warnings(estimate)) ? kEnded : kCannotWrite;
   if (!arguments.quiet) tell(estimate_warnings(estimate));
   const InterruptWatch watch;  // also while the results are written: they are what the run was for
   Ending ending{file->cage, *run};

@@ -20,13 +20,13 @@ namespace {
 void write_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 std::string describe(const Progress& progress) {
-  std::string text = fmt::format("{:3.0f} %, {} left, level {}", std::floor(100 * progress.share_done),
-                                 rough_duration(progress.seconds_left), progress.level);
+  std::string text = fmt::format("level {}", progress.level);
   if (progress.phase == Phase::kPrepare) return text + ": preparing";
   text += fmt::format(": {} evaluations", progress.evaluations);
   if (std::isfinite(progress.energy)) text += fmt::format(", energy {:.10g}", progress.energy);
   if (std::isfinite(progress.predicted_decrease)) text += fmt::format(", to gain {:.1e}", progress.predicted_decrease);
-  return text;
+  return text + fmt::format(", {:.0f} % done, {} left", std::floor(100 * progress.share_done),
+                            rough_duration(progress.seconds_left));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ namespace {
 using Counts = std::array<double, 5>;
 constexpr Counts kSymmetricSecond{10, 18, 28, 90, 55}, kSymmetricThird{10, 16, 26, 65, 150};
 constexpr Counts kSphereSobolev{10, 0, 40, 25, 25}, kSobolev{10, 0, 120, 220, 60};
+constexpr Counts kThirdSobolev{10, 150, 300, 600, 800};
 constexpr Counts kNewton{10, 45, 90, 250, 250}, kIdentity{150, 300, 800, 900, 900};
 
 /// The first level that the Sobolev product minimizes, far from the minimum, takes an evaluation for each unknown, as
@@ -56,13 +57,15 @@ ExpectedCounts expected_counts(const LevelSize& size, int number, const RunOptio
   const MetricChoice metric = metric_for_level(options.metric, third, size.order, size.unknowns);
   const bool symmetric = size.order > 1;
   const Counts& counts = metric == MetricChoice::kIdentity  ? kIdentity
-                         : metric == MetricChoice::kSobolev ? (size.genus > 1 ? kSobolev : kSphereSobolev)
+                         : metric == MetricChoice::kSobolev ? (third            ? kThirdSobolev
+                                                               : size.genus > 1 ? kSobolev
+                                                                                : kSphereSobolev)
                          : !symmetric                       ? kNewton
                          : third                            ? kSymmetricThird
                                                             : kSymmetricSecond;
   const double digits = -std::log10(std::max(tolerance_of(options), 1e-12));
   double evaluations = counts[std::clamp(number + 1, 0, 4)];
-  if (number == 0 && metric == MetricChoice::kSobolev) evaluations = first_sobolev(size.unknowns);
+  if (number == 0 && metric == MetricChoice::kSobolev && !third) evaluations = first_sobolev(size.unknowns);
   if (number >= 0) evaluations *= std::max(kLeastPart, 1 + kPerDigit * (digits - kTableDigits));
   if (near) evaluations *= kNearPart;
   evaluations = std::min(evaluations, options.max_iterations + 1.);
@@ -92,8 +95,7 @@ Forecast::Forecast(const LevelSize& first, int required, const RunOptions& optio
   for (int number = first.level; number <= last; ++number) {
     Level level;
     level.size = level_size_after(first, number, required);
-    level.expected =
-        expected_counts(level.size, number - first_evaluable, options, near && number == first.level);
+    level.expected = expected_counts(level.size, number - first_evaluable, options, near && number == first.level);
     level.work = level_work(level.size, options.weights,
                             metric_for_level(options.metric, third, level.size.order, level.size.unknowns));
     level.bytes = run_bytes(level.size.mesh_faces, level.size.mesh_faces / level.size.order, options.metric);

@@ -5,7 +5,8 @@
 /// A level takes its set-up, its evaluations and its metrics. What each of them costs is known (driver/level_work.h,
 /// driver/machine_speed.h). How many there will be nobody knows: they are what such levels usually took on the cages of
 /// `npm run bench -- estimates`, which also tells how often that was within a factor of two. While a run goes on, the
-/// seconds that its work has taken say how fast the machine is, and the evaluations that it has taken how many are left.
+/// seconds that its work has taken say how fast the machine is, and the evaluations that it has taken how many are
+/// left.
 #pragma once
 
 #include <vector>

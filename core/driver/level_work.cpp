@@ -89,7 +89,11 @@ LevelSize level_size_after(LevelSize size, int level, int required) {
   for (int step = size.evaluated; step < evaluated; ++step) {
     for (CapCorners& corners : size.corners) corners.shape = wider(corners.shape);
   }
-  size.unknowns *= std::pow(4., level - size.level);
+  // Three for each free face, but for those along the edge of what is free, or more where the edge is a mirror: a strip
+  // as long as the edge, which a step doubles.
+  const double coarse = 3 * size.patches() * std::pow(4., size.level - size.evaluated), strip = size.unknowns - coarse;
+  const double times = std::pow(2., level - size.level);
+  size.unknowns = std::max(0., coarse * times * times + strip * times);
   size.faces *= refined;
   size.mesh_faces *= refined;
   size.level = level;

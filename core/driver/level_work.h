@@ -27,13 +27,13 @@ struct CapCorners {
 
 /// How large the surface of a level is.
 struct LevelSize {
-  int level = 0;         ///< that of the points that are moved
-  int evaluated = 0;     ///< that of the mesh that the surface is evaluated on
-  double mesh_faces = 0; ///< of the evaluated mesh, held ones included
-  double faces = 0;      ///< those that are free
+  int level = 0;          ///< that of the points that are moved
+  int evaluated = 0;      ///< that of the mesh that the surface is evaluated on
+  double mesh_faces = 0;  ///< of the evaluated mesh, held ones included
+  double faces = 0;       ///< those that are free
   double unknowns = 0;
-  int order = 1;         ///< of the symmetry
-  int genus = 0;         ///< the largest of a component's
+  int order = 1;  ///< of the symmetry
+  int genus = 0;  ///< the largest of a component's
   CapKind cap = CapKind::kSmooth;
   std::vector<CapCorners> corners;
 
@@ -50,11 +50,11 @@ LevelSize level_size_after(LevelSize size, int level, int required);
 
 /// Sums over the patches that are evaluated.
 struct SampleCounts {
-  double regular = 0;   ///< samples of regular patches
-  double capped = 0;    ///< of the others
-  double columns = 0;   ///< the sum of the columns of each of these
-  double pairs = 0;     ///< the sum of the squared columns of all samples
-  double entries = 0;   ///< the sum of the squared columns of all patches
+  double regular = 0;  ///< samples of regular patches
+  double capped = 0;   ///< of the others
+  double columns = 0;  ///< the sum of the columns of each of these
+  double pairs = 0;    ///< the sum of the squared columns of all samples
+  double entries = 0;  ///< the sum of the squared columns of all patches
 };
 SampleCounts sample_counts(const LevelSize& size, const QuadratureRule& rule);
 

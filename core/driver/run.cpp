@@ -101,8 +101,8 @@ struct Run::State {
   /// Of a run that goes on with the level that is there; `near`: from a surface that has been minimized.
   void begin_forecast(bool near) {
     const Surface& surface = level->surface();
-    LevelSize size = level_size(level->number(), surface.level(), surface.layout(),
-                                      surface.mesh().surface_face_count(), surface.symmetry().order, level->unknowns());
+    LevelSize size = level_size(level->number(), surface.level(), surface.layout(), surface.mesh().surface_face_count(),
+                                surface.symmetry().order, level->unknowns());
     for (const int genus : surface.genera()) size.genus = std::max(size.genus, genus);
     forecast = Forecast(size, required_level, options, near);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// How long a run will take and how much memory, as plain values. They are expectations: half or twice as long is usual.
+/// How long a run will take and how much memory, as plain values. They are expectations: half or twice as long is
+/// usual.
 #pragma once
 
 #include <vector>

@@ -34,8 +34,8 @@ struct Progress {
   double gradient_norm = 0;  ///< Euclidean norm of the best surface's gradient by the control points
   double predicted_decrease =
       0;  ///< estimate of how much this level can still decrease the energy; NaN before the first iteration
-  double share_done = 0;     ///< of the run's time, as far as that can be told: from 0 to 1, and never falls
-  double seconds_left = 0;   ///< until the run ends, as expected (driver/estimate.h)
+  double share_done = 0;    ///< of the run's time, as far as that can be told: from 0 to 1, and never falls
+  double seconds_left = 0;  ///< until the run ends, as expected (driver/estimate.h)
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {

@@ -36,7 +36,8 @@ Cage icosahedron() {
   for (int axis = 0, v = 0; axis < 3; ++axis) {
     for (const double a : {1., -1.}) {
       for (const double b : {1., -1.}) {
-        cage.vertices.row(v++) = (a * Vector3::Unit((axis + 1) % 3) + b * phi * Vector3::Unit((axis + 2) % 3)).transpose();
+        cage.vertices.row(v++) =
+            (a * Vector3::Unit((axis + 1) % 3) + b * phi * Vector3::Unit((axis + 2) % 3)).transpose();
       }
     }
   }

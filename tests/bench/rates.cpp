@@ -36,8 +36,8 @@ void build(Part& part) {
 }
 
 std::string text_of(const SampleCounts& counts, std::string_view rule) {
-  return fmt::format(R"("{}":[{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}])", rule, counts.regular, counts.capped, counts.columns,
-                     counts.pairs, counts.entries);
+  return fmt::format(R"("{}":[{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}])", rule, counts.regular, counts.capped,
+                     counts.columns, counts.pairs, counts.entries);
 }
 
 std::string row(const std::string& name, bool symmetric, int level, int functional) {
@@ -82,8 +82,8 @@ std::string row(const std::string& name, bool symmetric, int level, int function
       R"("said":{{"setUp":{:.4g},"evaluation":{:.4g},"hessian":{:.4g},"sobolev":{:.4g}}}}})",
       name, order, level, kFunctionalNames[functional], surface.mesh().face_count(), surface.layout().patch_count(),
       unknowns.count(), text_of(sample_counts(size, minimizing_rule(CapKind::kSmooth, weights)), "minimizing"),
-      text_of(sample_counts(size, kSobolevRule), "sobolev"), refining, layout, report, evaluation, assembled, factored, solved,
-      metric, hessian_work.set_up, hessian_work.energy, hessian_work.metric, sobolev_work.metric);
+      text_of(sample_counts(size, kSobolevRule), "sobolev"), refining, layout, report, evaluation, assembled, factored,
+      solved, metric, hessian_work.set_up, hessian_work.energy, hessian_work.metric, sobolev_work.metric);
 }
 
 }  // namespace
@@ -91,9 +91,11 @@ std::string row(const std::string& name, bool symmetric, int level, int function
 std::string rates() {
   std::vector<std::string> rows;
   for (const int functional : {kBending, kMvsCross}) {
-    for (const auto& [cage, last] : {std::pair("two-3", 4), std::pair("cube", 4), std::pair("torus", 3), std::pair("dodecahedron-frame", 3)})
+    for (const auto& [cage, last] :
+         {std::pair("two-3", 4), std::pair("cube", 4), std::pair("torus", 3), std::pair("dodecahedron-frame", 3)})
       for (int level = 1; level <= last; ++level) rows.push_back(row(cage, true, level, functional));
-    for (const auto& [cage, last] : {std::pair("two-3", 3), std::pair("cube", 4), std::pair("torus", 3), std::pair("two-4", 3), std::pair("tetrahedron-frame", 3)})
+    for (const auto& [cage, last] : {std::pair("two-3", 3), std::pair("cube", 4), std::pair("torus", 3),
+                                     std::pair("two-4", 3), std::pair("tetrahedron-frame", 3)})
       for (int level = 1; level <= last; ++level) rows.push_back(row(cage, false, level, functional));
   }
   return joined(rows);
