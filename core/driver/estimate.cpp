@@ -17,10 +17,10 @@ namespace {
 
 /// Evaluations by level: of those before the first that can be evaluated, of this one, and of those after it.
 using Counts = std::array<double, 5>;
-constexpr Counts kSymmetricSecond{10, 18, 28, 90, 55}, kSymmetricThird{10, 16, 26, 65, 150};
-constexpr Counts kSphereSobolev{10, 0, 40, 25, 25}, kSobolev{10, 0, 120, 220, 60};
-constexpr Counts kThirdSobolev{10, 150, 300, 600, 800};
-constexpr Counts kNewton{10, 45, 90, 250, 250}, kIdentity{150, 300, 800, 900, 900};
+constexpr Counts kSymmetricSecondCounts{10, 18, 28, 90, 55}, kSymmetricThirdCounts{10, 16, 26, 65, 150};
+constexpr Counts kSphereSobolevCounts{10, 0, 40, 25, 25}, kSobolevCounts{10, 0, 120, 220, 60};
+constexpr Counts kThirdSobolevCounts{10, 150, 300, 600, 800};
+constexpr Counts kNewtonCounts{10, 45, 90, 250, 250}, kIdentityCounts{150, 300, 800, 900, 900};
 
 /// The first level that the Sobolev product minimizes, far from the minimum, takes an evaluation for each unknown, as
 /// long as there are few.
@@ -31,6 +31,16 @@ struct Metrics {
   double evaluations, least;
 };
 constexpr Metrics kHessianMetrics{14, 2.5}, kSobolevMetrics{25, 1};
+
+const Counts& counts_of(MetricChoice metric, bool third_order, const LevelSize& size) {
+  if (metric == MetricChoice::kIdentity) return kIdentityCounts;
+  if (metric == MetricChoice::kSobolev) {
+    if (third_order) return kThirdSobolevCounts;
+    return size.genus > 1 ? kSobolevCounts : kSphereSobolevCounts;
+  }
+  if (size.order == 1) return kNewtonCounts;
+  return third_order ? kSymmetricThirdCounts : kSymmetricSecondCounts;
+}
 
 /// The tolerance of the tables, and what each power of ten saves beyond it.
 constexpr double kTableDigits = 6, kPerDigit = 0.1, kLeastPart = 0.4;
@@ -55,14 +65,7 @@ constexpr double kTrust = 0.1;
 ExpectedCounts expected_counts(const LevelSize& size, int number, const RunOptions& options, bool near) {
   const bool third = third_order(options.weights);
   const MetricChoice metric = metric_for_level(options.metric, third, size.order, size.unknowns);
-  const bool symmetric = size.order > 1;
-  const Counts& counts = metric == MetricChoice::kIdentity  ? kIdentity
-                         : metric == MetricChoice::kSobolev ? (third            ? kThirdSobolev
-                                                               : size.genus > 1 ? kSobolev
-                                                                                : kSphereSobolev)
-                         : !symmetric                       ? kNewton
-                         : third                            ? kSymmetricThird
-                                                            : kSymmetricSecond;
+  const Counts& counts = counts_of(metric, third, size);
   const double digits = -std::log10(std::max(tolerance_of(options), 1e-12));
   double evaluations = counts[std::clamp(number + 1, 0, 4)];
   if (number == 0 && metric == MetricChoice::kSobolev && !third) evaluations = first_sobolev(size.unknowns);

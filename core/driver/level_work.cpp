@@ -31,7 +31,7 @@ constexpr double kSolution = 1e-8, kSymmetricSolution = 2e-9;
 /// Of a step of L-BFGS beside these, for each unknown; and of a step at least.
 constexpr double kStepUnknown = 7e-8, kLeastStep = 1e-5;
 /// Of refining the mesh, with its layout, for each face; and how often energies are computed by the reporting rule.
-constexpr double kFace = 6e-7;
+constexpr double kMeshFace = 6e-7;
 constexpr double kReports = 2;
 
 /// The columns of a patch of a cap, in the corner or not.
@@ -128,7 +128,7 @@ SampleCounts sample_counts(const LevelSize& size, const QuadratureRule& rule) {
 LevelWork level_work(const LevelSize& size, const Weights& weights, MetricChoice metric) {
   const Rates& rates = third_order(weights) ? kThirdOrder : kSecondOrder;
   LevelWork work;
-  work.set_up = kFace * size.mesh_faces +
+  work.set_up = kMeshFace * size.mesh_faces +
                 kReports * evaluation_seconds(sample_counts(size, reporting_rule(size.cap)), kThirdOrder);
   work.energy = evaluation_seconds(sample_counts(size, minimizing_rule(size.cap, weights)), rates);
   work.step = kLeastStep + kStepUnknown * size.unknowns;

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <tuple>
 
+#include "cage/write.h"
 #include "cages.h"
 #include "driver/run.h"
 #include "subjects.h"
@@ -33,6 +34,11 @@ std::string row_of(const LevelReport& level) {
 }
 
 }  // namespace
+
+std::string cage_text(const std::vector<std::string>& arguments) {
+  const Result<Cage> cage = arguments.size() == 1 ? bench_cage(arguments[0]) : Error{};
+  return cage ? write_obj(*cage) : "";
+}
 
 std::string whole_run(const std::vector<std::string>& arguments) {
   if (arguments.size() != 5) return "";

@@ -43,6 +43,9 @@ std::string quadrature();
 /// for other arguments.
 std::string whole_run(const std::vector<std::string>& arguments);
 
+/// The OBJ text of a cage of cages.h; nothing for other arguments.
+std::string cage_text(const std::vector<std::string>& arguments);
+
 /// Seconds of an iteration of L-BFGS beside its evaluations and metric, by unknowns.
 std::string overhead();
 

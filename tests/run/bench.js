@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file `npm run bench`: builds the benchmark natively and for WebAssembly, runs the given subjects (`npm run bench --
- * shapes metrics`; by default all but the quadrature rules), prints their tables and writes build/bench.json. `npm run
+ * shapes metrics`; by default all but the quadrature rules and the long runs without symmetry), prints their tables and writes build/bench.json. `npm run
  * bench -- readme` copies the last results into tests/bench/README.md.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -16,6 +16,7 @@ import * as shapes from './bench/shapes.js';
 import { markdownTable, plainTable, replaceBetween } from './bench/tables.js';
 import * as threads from './bench/threads.js';
 import * as throughput from './bench/throughput.js';
+import * as unsymmetric from './bench/unsymmetric.js';
 import { build } from './build.js';
 import { installPackages, installTools } from './install.js';
 import { root } from './process.js';
@@ -29,8 +30,19 @@ import { root } from './process.js';
  */
 
 /** In the order of the tables. @type {Record<string, Subject>} */
-const subjects = { throughput, shapes, metrics, overhead, scaling, threads, estimates, evolver, quadrature };
-const byDefault = Object.keys(subjects).filter((name) => name !== 'quadrature');
+const subjects = {
+  throughput,
+  shapes,
+  unsymmetric,
+  metrics,
+  overhead,
+  scaling,
+  threads,
+  estimates,
+  evolver,
+  quadrature,
+};
+const byDefault = Object.keys(subjects).filter((name) => name !== 'quadrature' && name !== 'unsymmetric');
 const results = path.join(root, 'build/bench.json');
 const readme = path.join(root, 'tests/bench/README.md');
 

@@ -30,6 +30,9 @@ import { root } from '../process.js';
 
 const native = path.join(root, 'build/native');
 
+/** What the native benchmark prints. @param {...string} args @returns {string} */
+export const benchText = (...args) => execFileSync(path.join(native, 'umbilic_bench'), args, { encoding: 'utf8' });
+
 /**
  * The measurements of one subject of the benchmark.
  * @param {Platform} platform
