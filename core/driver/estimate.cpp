@@ -88,7 +88,7 @@ int expected_levels(const RunOptions& options, int at_most) {
   return std::min(levels, at_most);
 }
 
-double Forecast::Level::slowness() const { return machine_slowness(size.patches() >= kLarge); }
+double Forecast::Planned::slowness() const { return machine_slowness(size.patches() >= kLarge); }
 
 Forecast::Forecast(const LevelSize& first, int required, const RunOptions& options, bool near) {
   const int first_evaluable = std::max(first.level, required);
@@ -96,7 +96,7 @@ Forecast::Forecast(const LevelSize& first, int required, const RunOptions& optio
   const int last = std::max(first.level, options.accuracy ? first_evaluable + count - 1 : options.last_level);
   const bool third = third_order(options.weights);
   for (int number = first.level; number <= last; ++number) {
-    Level level;
+    Planned level;
     level.size = level_size_after(first, number, required);
     level.expected = expected_counts(level.size, number - first_evaluable, options, near && number == first.level);
     level.work = level_work(level.size, options.weights,
@@ -106,15 +106,15 @@ Forecast::Forecast(const LevelSize& first, int required, const RunOptions& optio
   }
 }
 
-const Forecast::Level* Forecast::find(int level) const {
+const Forecast::Planned* Forecast::find(int level) const {
   const auto found =
-      std::find_if(levels_.begin(), levels_.end(), [&](const Level& known) { return known.size.level == level; });
+      std::find_if(levels_.begin(), levels_.end(), [&](const Planned& known) { return known.size.level == level; });
   return found == levels_.end() ? nullptr : &*found;
 }
 
 Estimate Forecast::estimate() const {
   Estimate estimate;
-  for (const Level& level : levels_) {
+  for (const Planned& level : levels_) {
     const double seconds = level.seconds() * level.slowness();
     estimate.levels.push_back({level.size.level, level.size.mesh_faces, std::round(level.size.unknowns),
                                std::round(level.expected.evaluations), seconds, level.bytes});
@@ -125,9 +125,9 @@ Estimate Forecast::estimate() const {
 }
 
 /// What was measured before the run counts for less, the more the run has done.
-double Forecast::slowness_of(const Level& level) const {
+double Forecast::slowness_of(const Planned& level) const {
   double seconds = kTrust * level.slowness() + ended_seconds_, work = kTrust + ended_work_;
-  if (const Level* current = find(level_); current && evaluations_ > 0) {
+  if (const Planned* current = find(level_); current && evaluations_ > 0) {
     seconds += seconds_;
     work += current->work.set_up + evaluations_ * current->each();
   }
@@ -136,7 +136,7 @@ double Forecast::slowness_of(const Level& level) const {
 
 double Forecast::seconds_left() const {
   double left = 0;
-  for (const Level& level : levels_) {
+  for (const Planned& level : levels_) {
     if (level.size.level < level_) continue;
     double work = level.seconds();
     if (level.size.level == level_ && evaluations_ > 0)
@@ -160,7 +160,7 @@ void Forecast::level_advanced(int level, int evaluations, double seconds) {
 
 void Forecast::level_ended(int level, int evaluations, double seconds) {
   ended_seconds_ += std::max(seconds, 0.);
-  if (const Level* known = find(level)) ended_work_ += known->work.set_up + evaluations * known->each();
+  if (const Planned* known = find(level)) ended_work_ += known->work.set_up + evaluations * known->each();
   level_ = level + 1;
   evaluations_ = 0;
   seconds_ = 0;

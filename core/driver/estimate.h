@@ -47,7 +47,8 @@ class Forecast {
   double share_done() const { return share_; }
 
  private:
-  struct Level {
+  /// A level as it was expected.
+  struct Planned {
     LevelSize size;
     ExpectedCounts expected;
     LevelWork work;
@@ -58,11 +59,11 @@ class Forecast {
     double seconds() const { return work.set_up + expected.evaluations * each(); }
     double slowness() const;
   };
-  const Level* find(int level) const;
-  double slowness_of(const Level& level) const;
+  const Planned* find(int level) const;
+  double slowness_of(const Planned& level) const;
   void update();
 
-  std::vector<Level> levels_;
+  std::vector<Planned> levels_;
   int level_ = -1, evaluations_ = 0;                       // of the level that goes on
   double seconds_ = 0;                                     // of that level
   double ended_seconds_ = 0, ended_work_ = 0, share_ = 0;  // of those that have ended
