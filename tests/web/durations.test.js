@@ -66,7 +66,7 @@ describe('a warning', () => {
 
   test('tells the memory of the last level where that is much', () => {
     expect(patienceWords(estimate([1, 1e8], [2, 1.2e9]))).toBe(
-      'Level 2 takes 1.2 GB of memory, which not every browser gives. Fewer levels take less.',
+      'This will take about 3 s, of which level 2 takes about 2 s. Level 2 takes 1.2 GB of memory, which not every browser gives. Fewer levels take less.',
     );
   });
 

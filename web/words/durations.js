@@ -41,7 +41,7 @@ export const leftWords = (seconds) => (Number.isFinite(seconds) ? `${roughDurati
 /**
  * A warning before a run that takes more than two minutes or a gigabyte; empty otherwise.
  * @param {Estimate} estimate
- * @returns {string} a sentence or two
+ * @returns {string} sentences that also tell the time
  */
 export function patienceWords({ levels, seconds, bytes }) {
   const [last] = levels.slice(-1);
@@ -49,7 +49,10 @@ export function patienceWords({ levels, seconds, bytes }) {
   const longest = levels.reduce((one, other) => (other.seconds > one.seconds ? other : one));
   const fewer = levels.length > 1 ? ' Fewer levels take less.' : '';
   const part = levels.length > 1 ? `, of which level ${longest.level} takes ${roughDuration(longest.seconds)}` : '';
-  if (bytes > LARGE)
-    return `Level ${last.level} takes ${compact(bytes / 1e9, 2)} GB of memory, which not every browser gives.${fewer}`;
-  return seconds > LONG ? `This will take ${roughDuration(seconds)}${part}.${fewer}` : '';
+  if (seconds <= LONG && bytes <= LARGE) return '';
+  const memory =
+    bytes > LARGE
+      ? ` Level ${last.level} takes ${compact(bytes / 1e9, 2)} GB of memory, which not every browser gives.`
+      : '';
+  return `This will take ${roughDuration(seconds)}${part}.${memory}${fewer}`;
 }

@@ -22,7 +22,9 @@ function progressLine({ document, session }) {
   const runs = session.phase.name === 'running';
   const sample = samples.at(-1);
   const { estimate } = session;
-  if (session.phase.name === 'resting') return estimate && !session.opening ? estimateWords(estimate) : '';
+  if (session.phase.name === 'resting') {
+    return estimate && !session.opening && !patienceWords(estimate) ? estimateWords(estimate) : '';
+  }
   if (!progress || !sample) return runs ? 'Preparing the level …' : '';
   if (runs && progress.phase === 'prepare') return `Preparing level ${progress.level} …`;
   if (session.phase.name === 'ended' && !HALTED.includes(stop)) return effortWords(levels, sample.evaluation);
