@@ -71,7 +71,8 @@ TEST(Estimate, counts_the_samples_of_the_layout) {
     const SampleCounts counts = sample_counts(size, rule);
     const RefinedCage refined = *refine_to_evaluable(*generate_cage(cage), 3, false);
     double regular = 0, capped = 0, columns = 0;
-    for (const PatchSet& set : PatchLayout(refined.mesh, CapKind::kSmooth).sets()) {
+    const PatchLayout layout(refined.mesh, CapKind::kSmooth);
+    for (const PatchSet& set : layout.sets()) {
       const double samples = set.count() * static_cast<double>(samples_of(set.kind, rule).size());
       (set.kind.regular() ? regular : capped) += samples;
       if (!set.kind.regular()) columns += samples * set.columns;
