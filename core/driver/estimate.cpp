@@ -20,7 +20,7 @@ using Counts = std::array<double, 5>;
 constexpr Counts kSymmetricSecondCounts{10, 18, 28, 90, 55}, kSymmetricThirdCounts{10, 16, 26, 65, 150};
 constexpr Counts kSphereSobolevCounts{10, 0, 40, 25, 25}, kSobolevCounts{10, 0, 120, 220, 60};
 constexpr Counts kThirdSobolevCounts{10, 150, 300, 600, 800};
-constexpr Counts kNewtonCounts{10, 45, 90, 250, 250}, kIdentityCounts{150, 300, 800, 900, 900};
+constexpr Counts kNewtonCounts{40, 65, 135, 370, 370}, kIdentityCounts{150, 300, 800, 900, 900};
 
 /// The first level that the Sobolev product minimizes, far from the minimum, takes an evaluation for each unknown, as
 /// long as there are few.
