@@ -164,7 +164,8 @@ typedef enum umbilic_part {
   UMBILIC_PART_LIMIT = 5,
   UMBILIC_PART_ENERGIES = 6, /* takes several times as long as a step, once for each surface */
   UMBILIC_PART_GROUPS = 7,   /* in no report: the cage's groups, [{"name": …, "faces": [numbers from 1]}, …] */
-  UMBILIC_PART_HELD = 8      /* in no report: the numbers of the cage's faces that are held, from 1 */
+  UMBILIC_PART_HELD = 8,     /* in no report: the numbers of the cage's faces that are held, from 1 */
+  UMBILIC_PART_ESTIMATE = 9  /* what the run will probably take, seconds and bytes; asked before its first step */
 } umbilic_part;
 
 /** `part` is an umbilic_part, as an integer so that any other value can be told. */

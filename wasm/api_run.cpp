@@ -145,6 +145,7 @@ umbilic_status umbilic_run_part(const umbilic_run* handle, int32_t part, umbilic
       case UMBILIC_PART_LIMIT: return answer(json_text(run.limit()), text);
       case UMBILIC_PART_ENERGIES: return answer(json_text(run.energies()), text);
       case UMBILIC_PART_GROUPS: return answer(json_text(numbered(handle->run.groups)), text);
+      case UMBILIC_PART_ESTIMATE: return answer(json_text(run.estimate()), text);
       case UMBILIC_PART_HELD: return answer(json_text(from_one(run.held_faces())), text);
     }
     return fail(UMBILIC_BAD_ARGUMENT, fmt::format("a run has no part {}", part));

@@ -124,6 +124,27 @@
  * @property {number} gradient_norm of the best surface
  * @property {number} predicted_decrease how much the level can still decrease the energy; NaN before the first
  *   iteration
+ * @property {number} share_done of the time that the run will probably take, from 0 to 1; never falls
+ * @property {number} seconds_left until the run will probably end
+ */
+
+/**
+ * One level of a run that has not begun.
+ * @typedef {object} LevelEstimate
+ * @property {number} level
+ * @property {number} patches
+ * @property {number} unknowns about so many
+ * @property {number} evaluations that such levels usually take
+ * @property {number} seconds on this machine
+ * @property {number} bytes of memory
+ */
+
+/**
+ * What a run will probably take; half or twice as long is usual.
+ * @typedef {object} Estimate
+ * @property {LevelEstimate[]} levels those that it will probably take
+ * @property {number} seconds of all levels
+ * @property {number} bytes of the largest one
  */
 
 /**
@@ -254,6 +275,7 @@
  * @property {Problem} problem
  * @property {CageReport} cage
  * @property {Group} group
+ * @property {Estimate} [estimate] what the run was expected to take before it began
  * @property {LevelReport[]} levels
  * @property {Limit} limit
  * @property {Energies} energies

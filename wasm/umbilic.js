@@ -35,7 +35,7 @@ import {
 import { InputError, mayBeBinary, parse } from './values.js';
 
 /**
- * @import {CageInput, CageReport, CertificateReport, Energies, FaceGroup, FunctionalName, GeneratedCage, Group, LevelReport, Limit,
+ * @import {CageInput, CageReport, CertificateReport, Energies, Estimate, FaceGroup, FunctionalName, GeneratedCage, Group, LevelReport, Limit,
  * Mesh, Problem, Progress, Report, Targets, Terms, TorusMinimizer} from './types.js'
  */
 
@@ -46,7 +46,18 @@ export { InputError } from './values.js';
 /** @typedef {import('./memory.js').LoadOptions} LoadOptions */
 
 /** The values of umbilic_part in api.h. */
-const PARTS = { progress: 0, problem: 1, cage: 2, group: 3, levels: 4, limit: 5, energies: 6, groups: 7, held: 8 };
+const PARTS = {
+  progress: 0,
+  problem: 1,
+  cage: 2,
+  group: 3,
+  levels: 4,
+  limit: 5,
+  energies: 6,
+  groups: 7,
+  held: 8,
+  estimate: 9,
+};
 
 /** @param {number} handle @param {string} type @returns {number} */
 function alive(handle, type) {
@@ -224,6 +235,11 @@ export class Minimizer {
   /** @returns {Progress} */
   get progress() {
     return this.#part('progress');
+  }
+
+  /** What the run will probably take, as known when it began; what is left of it, `progress` tells. @returns {Estimate} */
+  get estimate() {
+    return this.#part('estimate');
   }
 
   /** The problem, with all defaults filled in. @returns {Required<Omit<Problem, 'start'>> & Problem} */

@@ -17,6 +17,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/estimates.h"
 #include "cli/exit_code.h"
 #include "cli/files.h"
 #include "cli/interrupt.h"
@@ -42,6 +43,7 @@ struct OptimizeArguments {
   bool certify = false;
   bool descend = false;
   bool quiet = false;
+  bool estimate = false;
   bool print_problem = false;
   bool print_schema = false;
 
@@ -227,11 +229,16 @@ int run(const OptimizeArguments& arguments) {
     return fail(kBadUsage, "--functional or --weights is required with a cage");
   if (Error error; !in_range(file->problem.options, error)) return fail(kBadUsage, error.message);
   if (arguments.print_problem) return print(problem_text(file->problem)) ? kEnded : kCannotWrite;
-  for (const std::string& path : outputs) {
-    if (const auto error = check_writable(path)) return fail(kCannotWrite, error->message);
+  if (!arguments.estimate) {
+    for (const std::string& path : outputs) {
+      if (const auto error = check_writable(path)) return fail(kCannotWrite, error->message);
+    }
   }
   auto run = begin_run(file->problem);
   if (!run) return fail(kBadInput, run.error().message);
+  const Estimate estimate = run->run.estimate();
+  if (arguments.estimate) return print(estimate_table(estimate) + estimate_warnings(estimate)) ? kEnded : kCannotWrite;
+  if (!arguments.quiet) tell(estimate_warnings(estimate));
   const InterruptWatch watch;  // also while the results are written: they are what the run was for
   Ending ending{file->cage, *run};
   const int exit_code = minimize_and_certify(arguments, watch, *run, ending);
@@ -251,6 +258,8 @@ void add_optimize_command(CLI::App& app, int& exit_code) {
                    "polygon mesh, closed or open; or - for standard input")
       ->type_name("");
   add_problem_options(*command, std::shared_ptr<ProblemChanges>(arguments, &arguments->changes));
+  command->add_flag("--estimate", arguments->estimate,
+                    "Print how long each level will probably take and how much memory, and exit");
   command->add_flag("--print-problem", arguments->print_problem, "Print the problem that these options ask, and exit");
   command->add_flag("--print-schema", arguments->print_schema,
                     "Print the JSON schema of problems and reports, and exit");

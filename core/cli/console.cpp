@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "cage/text.h"
+#include "cli/estimates.h"
 
 namespace umbilic::cli {
 
@@ -24,7 +25,8 @@ std::string describe(const Progress& progress) {
   text += fmt::format(": {} evaluations", progress.evaluations);
   if (std::isfinite(progress.energy)) text += fmt::format(", energy {:.10g}", progress.energy);
   if (std::isfinite(progress.predicted_decrease)) text += fmt::format(", to gain {:.1e}", progress.predicted_decrease);
-  return text;
+  return text + fmt::format(", {:.0f} % done, {} left", std::floor(100 * progress.share_done),
+                            rough_duration(progress.seconds_left));
 }
 
 }  // namespace
@@ -41,6 +43,8 @@ int fail(int exit_code, std::string_view message) {
   write_error(fmt::format("umbilic: {}\n", printable_lines(message)));
   return exit_code;
 }
+
+void tell(std::string_view text) { write_error(text); }
 
 bool print(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;

@@ -20,6 +20,9 @@ std::string printable_lines(std::string_view text);
 /// Prints "umbilic: message", made printable, to standard error and returns `exit_code`.
 int fail(int exit_code, std::string_view message);
 
+/// Prints a text, if there is any, to standard error.
+void tell(std::string_view text);
+
 /// Prints a result to standard output; false, with a message, when that cannot be written.
 bool print(std::string_view text);
 

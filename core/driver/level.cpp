@@ -10,6 +10,7 @@
 
 #include "driver/equations.h"
 #include "driver/gauss_bonnet.h"
+#include "driver/metric_for_level.h"
 #include "driver/rules.h"
 #include "driver/thickness.h"
 #include "optimize/hessian_metric.h"
@@ -50,18 +51,6 @@ class IdentityMetric : public Metric {
 };
 const IdentityMetric kIdentityMetric;
 
-/// Chooses the metric that is measured to be faster. The Hessian converges in a tenth of the evaluations, but its cost
-/// grows faster with the number of unknowns. So it does not pay for large surfaces without symmetry, which have more
-/// patches per unknown; and for functionals of second order, which converge well in any metric, it pays only with
-/// symmetry. Newton's is for surfaces whose parametrization is free, as no symmetry holds it: there the Hessian creeps.
-MetricChoice choose(const LevelOptions& options, const Surface& surface, int unknowns) {
-  if (options.metric != MetricChoice::kAutomatic) return options.metric;
-  const int order = surface.symmetry().order;
-  const int most = third_order(options.weights) ? kMostHessianUnknowns : order > 1 ? 2000 : 0;
-  if (unknowns == 0 || unknowns > most) return MetricChoice::kSobolev;
-  return order > 1 ? MetricChoice::kHessian : MetricChoice::kNewton;
-}
-
 /// What is minimized, at the surface's start.
 double objective_value(const Surface& surface) {
   const double energy = surface.energy().evaluate(surface.start(), nullptr).energy;
@@ -98,7 +87,8 @@ Level::Level(RefinedCage start, int evaluated_level, const LevelOptions& options
       gauge_(gauge_of(options.weights)),
       solutions_(solutions_of(start_, coordinates_)),
       unknowns_(make_unknowns(start_, coordinates_, surface_, solutions_)),
-      metric_choice_(choose(options, surface_, unknowns_.count())) {
+      metric_choice_(metric_for_level(options.metric, third_order(options.weights), surface_.symmetry().order,
+                                      unknowns_.count())) {
   if (start_.is_constrained() && !leaves_size_open(start_)) gauge_.scaling = false;
 }
 

@@ -23,9 +23,6 @@ namespace umbilic {
 /// infimum is 0 end.
 inline constexpr double kEnergyFloor = 1e-6 * 8 * std::numbers::pi;
 
-/// Most unknowns of a level that the automatic choice gives the Hessian's metric.
-inline constexpr int kMostHessianUnknowns = 8000;
-
 struct LevelOptions {
   CapKind cap;
   Weights weights;

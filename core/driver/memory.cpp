@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "driver/level.h"
+#include "driver/metric_for_level.h"
 
 namespace umbilic {
 namespace {

@@ -20,6 +20,7 @@ Report ProblemRun::report() const {
   report.problem = problem;
   report.cage = cage;
   report.group = run.group();
+  report.estimate = run.estimate();
   report.levels = run.levels();
   report.limit = run.limit();
   report.energies = run.energies();

@@ -16,6 +16,7 @@
 #include "driver/constraints_report.h"
 #include "driver/ended_level.h"
 #include "driver/equations.h"
+#include "driver/estimate.h"
 #include "driver/extrapolate.h"
 #include "driver/level.h"
 #include "driver/memory.h"
@@ -45,6 +46,7 @@ struct Run::State {
   std::vector<LevelEnergy> energies_of_levels;  // of the evaluable ones
   Progress progress;
   double level_seconds = 0;
+  Forecast forecast;
   bool cancelled = false;
   HeldRegions held_regions;      // of the cage
   std::vector<int> held_faces;   // of the cage, sorted
@@ -107,6 +109,23 @@ struct Run::State {
       written->closeness = exact.closeness;
     }
     return *written;
+  }
+
+  /// Of a run that goes on with the level that is there; `near`: from a surface that has been minimized.
+  void begin_forecast(bool near) {
+    const Surface& surface = level->surface();
+    LevelSize size = level_size(level->number(), surface.level(), surface.layout(), surface.mesh().surface_face_count(),
+                                surface.symmetry().order, level->unknowns());
+    for (const int genus : surface.genera()) size.genus = std::max(size.genus, genus);
+    forecast = Forecast(size, required_level, options, near);
+  }
+
+  /// What the forecast says after some work.
+  void update_forecast() {
+    const bool done = progress.phase == Phase::kDone;
+    if (!done) forecast.level_advanced(progress.level, progress.evaluations, level_seconds);
+    progress.share_done = done ? 1 : forecast.share_done();
+    progress.seconds_left = done ? 0 : forecast.seconds_left();
   }
 
   void update_progress() {
@@ -180,6 +199,8 @@ struct Run::State {
     level_seconds = 0;
     cancelled = false;
     replace_level(Level::retargeted(std::move(level), std::move(surface).value(), level_options()));
+    begin_forecast(true);
+    update_forecast();
     return std::nullopt;
   }
 
@@ -304,7 +325,9 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constra
   level_options.even_parameters = !start || start->level < first.level;
   state->level = std::make_unique<Level>(first, std::max(first.level, state->required_level), level_options);
   if (constraints.closeness && constraints.closeness->within) state->begin_search(*constraints.closeness->within);
+  state->begin_forecast(start && start->level >= first.level);
   state->update_progress();
+  state->update_forecast();
   return Run(std::move(state));
 }
 
@@ -322,12 +345,15 @@ bool Run::step(int units) {
     state_->unit();
     if (state_->levels.size() > ended) {
       const double now = seconds();
-      state_->levels.back().seconds = state_->level_seconds + now - booked;
+      LevelReport& level = state_->levels.back();
+      level.seconds = state_->level_seconds + now - booked;
+      state_->forecast.level_ended(level.level, level.evaluations, level.seconds);
       state_->level_seconds = 0;
       booked = now;
     }
   }
   state_->level_seconds += seconds() - booked;
+  state_->update_forecast();
   return state_->progress.phase == Phase::kDone;
 }
 
@@ -341,6 +367,7 @@ void Run::cancel() {
   step(1);
 }
 
+Estimate Run::estimate() const { return state_->forecast.estimate(); }
 const Progress& Run::progress() const { return state_->progress; }
 int Run::patches() const { return state_->level->surface().mesh().surface_face_count(); }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }

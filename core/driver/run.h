@@ -18,6 +18,7 @@
 #include "cage/cage.h"
 #include "driver/certificate.h"
 #include "driver/limit_mesh.h"
+#include "problem/estimate.h"
 #include "problem/problem.h"
 #include "problem/progress.h"
 #include "problem/report.h"
@@ -62,6 +63,10 @@ class Run {
   void cancel();
 
   const Progress& progress() const;
+
+  /// How long the run will probably take from its start, or from its latest targets, and how much memory: as known then
+  /// (driver/estimate.h). What is left of that, `progress` tells.
+  Estimate estimate() const;
 
   /// Faces of the mesh that the current level's surface is evaluated on, or the result's.
   int patches() const;

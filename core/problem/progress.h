@@ -34,6 +34,8 @@ struct Progress {
   double gradient_norm = 0;  ///< Euclidean norm of the best surface's gradient by the control points
   double predicted_decrease =
       0;  ///< estimate of how much this level can still decrease the energy; NaN before the first iteration
+  double share_done = 0;    ///< of the run's time, as far as that can be told: from 0 to 1, and never falls
+  double seconds_left = 0;  ///< until the run ends, as expected (driver/estimate.h)
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
@@ -46,6 +48,8 @@ struct Progress {
     visit("energy", self.energy, "Of the best surface of this level; null before the first evaluation");
     visit("gradient_norm", self.gradient_norm, "Euclidean, of the best surface");
     visit("predicted_decrease", self.predicted_decrease, "What the level can still gain; null before the first step");
+    visit("share_done", self.share_done, "Of the time that the run will probably take, from 0 to 1; never falls");
+    visit("seconds_left", self.seconds_left, "Until the run will probably end");
   }
 };
 

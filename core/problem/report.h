@@ -16,6 +16,7 @@
 
 #include "cage/cage.h"
 #include "energy/invariants.h"
+#include "problem/estimate.h"
 #include "problem/problem.h"
 #include "solve/stop_reason.h"
 
@@ -428,6 +429,7 @@ struct Report {
   Problem problem;
   CageReport cage;
   GroupReport group;
+  std::optional<Estimate> estimate;
   std::vector<LevelReport> levels;
   LimitReport limit;
   EnergyReport energies;
@@ -443,6 +445,7 @@ struct Report {
     visit.required("problem", self.problem, "What was asked, with its cage as text where that came from a file");
     visit("cage", self.cage, "Counts over the cage");
     visit("group", self.group, "The symmetry that the run keeps");
+    visit("estimate", self.estimate, "What the run was expected to take before it began");
     visit("levels", self.levels, "Those that have ended, in order");
     visit("limit", self.limit, "What the levels say about the limit of their energies");
     visit("energies", self.energies, "Of the best surface, by the reporting rule");

@@ -18,6 +18,8 @@ std::string measure(const std::string& subject, const std::vector<std::string>& 
   if (subject == "overhead") return overhead();
   if (subject == "scaling") return scaling();
   if (subject == "threads") return threads();
+  if (subject == "cage") return cage_text(arguments);
+  if (subject == "rates") return rates();
   if (subject == "quadrature") return quadrature();
   return "";
 }
@@ -32,7 +34,8 @@ int main(int argc, char** argv) {
     if (!text.empty()) return std::puts(text.c_str()) < 0;
   }
   std::fputs(
-      "Usage: umbilic_bench throughput | overhead | scaling | threads | quadrature\n"
+      "Usage: umbilic_bench throughput | overhead | scaling | threads | rates | quadrature\n"
+      "       umbilic_bench cage NAME\n"
       "       umbilic_bench run CAGE FUNCTIONAL LAST_LEVEL auto|identity|sobolev|hessian symmetric|unsymmetric\n",
       stderr);
   return 2;

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <tuple>
 
+#include "cage/write.h"
 #include "cages.h"
 #include "driver/run.h"
 #include "subjects.h"
@@ -27,12 +28,17 @@ int index_of(std::string_view name, const Names& names) {
 std::string row_of(const LevelReport& level) {
   return fmt::format(
       R"({{"level":{},"patches":{},"unknowns":{},"energy":{:.10g},"energyReported":{:.10g},"iterations":{},)"
-      R"("evaluations":{},"metric":"{}","metrics":{},"stop":"{}"}})",
+      R"("evaluations":{},"metric":"{}","metrics":{},"seconds":{:.6g},"stop":"{}"}})",
       level.level, level.patches, level.unknowns, level.energy, level.energy_reported, level.iterations,
-      level.evaluations, name_of(level.metric), level.metrics, name_of(level.stop));
+      level.evaluations, name_of(level.metric), level.metrics, level.seconds, name_of(level.stop));
 }
 
 }  // namespace
+
+std::string cage_text(const std::vector<std::string>& arguments) {
+  const Result<Cage> cage = arguments.size() == 1 ? bench_cage(arguments[0]) : Error{};
+  return cage ? write_obj(*cage) : "";
+}
 
 std::string whole_run(const std::vector<std::string>& arguments) {
   if (arguments.size() != 5) return "";
@@ -47,9 +53,11 @@ std::string whole_run(const std::vector<std::string>& arguments) {
   options.symmetry = symmetry == "symmetric";
   options.last_level = std::stoi(levels);
 
+  const std::clock_t cpu_begin = std::clock();
   const auto begin = std::chrono::steady_clock::now();
   std::vector<std::string> steps;
   Run run = *Run::create(*start, options);
+  const Estimate estimate = run.estimate();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   for (bool done = false; !done;) {
     done = run.step(1);
@@ -60,10 +68,16 @@ std::string whole_run(const std::vector<std::string>& arguments) {
     }
   }
   const double total = seconds();
-  std::vector<std::string> rows;
+  const double cpu = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+  std::vector<std::string> rows, expected;
   for (const LevelReport& level : run.levels()) rows.push_back(row_of(level));
-  return fmt::format(R"({{"seconds":{:.6g},"group":"{}","order":{},"levels":{},"steps":{}}})", total, run.group().name,
-                     run.group().order, joined(rows), joined(steps));
+  for (const LevelEstimate& level : estimate.levels) {
+    expected.push_back(fmt::format(R"({{"level":{},"unknowns":{},"evaluations":{},"seconds":{:.6g}}})", level.level,
+                                   level.unknowns, level.evaluations, level.seconds));
+  }
+  return fmt::format(
+      R"({{"seconds":{:.6g},"cpuSeconds":{:.6g},"group":"{}","order":{},"levels":{},"estimate":{},"steps":{}}})", total,
+      cpu, run.group().name, run.group().order, joined(rows), joined(expected), joined(steps));
 }
 
 }  // namespace umbilic

@@ -43,6 +43,9 @@ std::string quadrature();
 /// for other arguments.
 std::string whole_run(const std::vector<std::string>& arguments);
 
+/// The OBJ text of a cage of cages.h; nothing for other arguments.
+std::string cage_text(const std::vector<std::string>& arguments);
+
 /// Seconds of an iteration of L-BFGS beside its evaluations and metric, by unknowns.
 std::string overhead();
 
@@ -52,5 +55,8 @@ std::string scaling();
 /// How often per second all threads together do what a level consists of, beside one thread, and beside as many threads
 /// that do it each for itself.
 std::string threads();
+
+/// CPU seconds of the parts of levels of many kinds, beside those of driver/level_work.h.
+std::string rates();
 
 }  // namespace umbilic

@@ -40,6 +40,7 @@ describe('a run', () => {
       'problem',
       'cage',
       'group',
+      'estimate',
       'levels',
       'limit',
       'energies',
@@ -253,7 +254,9 @@ describe('a terminal', () => {
     const { code, out } = shell(`script -qec "${command}" /dev/null < /dev/null`, scratch.folder);
     expect(code).toBe(0);
     expect(out).toContain('\rlevel 2: ');
-    expect(out).toMatch(/\rlevel 2: \d+ evaluations, energy [\d.]+, to gain [-+\de.]+/);
+    expect(out).toMatch(
+      /\rlevel 2: \d+ evaluations, energy [\d.]+, to gain [-+\de.]+, \d+ % done, (a second|about \d+ s|about \d+ min) left/,
+    );
     expect(out.split('\r').filter((line) => line.startsWith('level 2: ')).length).toBeGreaterThan(2);
     expect(out).toContain('\r\x1b[Klevel 2: 384 patches');
   });

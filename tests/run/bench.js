@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file `npm run bench`: builds the benchmark natively and for WebAssembly, runs the given subjects (`npm run bench --
- * shapes metrics`; by default all but the quadrature rules and the known limits), prints their tables and writes
- * build/bench.json and build/limits.json. `npm run bench -- readme` copies the last results into tests/bench/README.md and
+ * shapes metrics`; by default all that take few minutes), prints their tables and writes build/bench.json and
+ * build/limits.json. `npm run bench -- readme` copies the last results into tests/bench/README.md and
  * tests/bench/known_limits.md.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as evolver from './bench/beside_evolver.js';
+import * as estimates from './bench/estimates.js';
 import * as limits from './bench/limits.js';
 import * as metrics from './bench/metrics.js';
 import * as overhead from './bench/overhead.js';
@@ -17,6 +18,7 @@ import * as shapes from './bench/shapes.js';
 import { markdownTable, plainTable, replaceBetween } from './bench/tables.js';
 import * as threads from './bench/threads.js';
 import * as throughput from './bench/throughput.js';
+import * as unsymmetric from './bench/unsymmetric.js';
 import { build } from './build.js';
 import { installPackages, installTools } from './install.js';
 import { root } from './process.js';
@@ -30,8 +32,22 @@ import { root } from './process.js';
  */
 
 /** In the order of the tables. @type {Record<string, Subject>} */
-const subjects = { throughput, shapes, metrics, overhead, scaling, threads, evolver, quadrature, limits };
-const byDefault = Object.keys(subjects).filter((name) => !['quadrature', 'limits'].includes(name));
+const subjects = {
+  throughput,
+  shapes,
+  unsymmetric,
+  metrics,
+  overhead,
+  scaling,
+  threads,
+  estimates,
+  evolver,
+  quadrature,
+  limits,
+};
+/** Those that show what was chosen, or take long. */
+const onRequest = ['unsymmetric', 'quadrature', 'limits'];
+const byDefault = Object.keys(subjects).filter((name) => !onRequest.includes(name));
 const readme = path.join(root, 'tests/bench/README.md');
 
 /** Where a table of its own stands. */

@@ -110,6 +110,7 @@ TEST(Api, counts_the_levels_and_evaluations_of_a_run_as_it_goes) {
   umbilic_run* run = begun(bending_of("cube", 1, 2));
   EXPECT_NE(part(run, UMBILIC_PART_PROGRESS).find(R"("phase":"prepare","level":1,"ended_levels":0)"),
             std::string::npos);
+  EXPECT_EQ(part(run, UMBILIC_PART_ESTIMATE).find(R"({"levels":[{"level":1,"patches":24,)"), 0U);
   EXPECT_EQ(part(run, UMBILIC_PART_LEVELS), "[]");
   ASSERT_EQ(umbilic_run_cancel(run), UMBILIC_OK);
   int32_t done = 0;

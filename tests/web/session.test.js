@@ -21,6 +21,8 @@ describe('opening', () => {
     expect(opened.group).toEqual({ name: 'Oh', order: 48 });
     expect(opened.cage).toMatchObject({ vertices: 8, genus: 0 });
     expect(opened).not.toHaveProperty('asked');
+    expect(opened.estimate.levels.map((/** @type {any} */ { level }) => level)).toEqual([1]);
+    expect(opened.estimate.seconds).toBeGreaterThan(0);
     expect(surfaced.limit.positions.length).toBeGreaterThan(1000);
     expect(surfaced.control.edges).toHaveLength(2 * 48);
     // One of each kind of vertex: of the cube's vertices, edges and faces.
@@ -45,6 +47,7 @@ describe('opening', () => {
     expect(all('surfaced').map(({ coarse }) => coarse)).toEqual([true, undefined]);
     expect(session.rests).toBe(1);
     const [opened, coarse, fine, , measured] = session.messages;
+    expect(opened).not.toHaveProperty('estimate');
     expect(opened).toMatchObject({ cage: minimizer.cage, group: { name: 'D3h', order: 12 } });
     const quads = [coarse, fine].map(({ limit }) => limit.triangles.length / 6);
     expect(quads).toEqual([MOVING_QUADS, RESTING_QUADS].map((most) => 96 * densityFor(96, most) ** 2));

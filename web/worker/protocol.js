@@ -5,7 +5,7 @@
  * with a new number, and the worker keeps the old run until the new one has opened.
  */
 
-/** @import {CageReport, CertificateReport, ConstraintsReport, Energies, FaceGroup, Group, LevelReport} from '../../wasm/types.js' */
+/** @import {CageReport, CertificateReport, ConstraintsReport, Energies, Estimate, FaceGroup, Group, LevelReport} from '../../wasm/types.js' */
 /** @import {Limit, Mesh, Problem, Progress, Report, StopReason, Targets} from '../../wasm/types.js' */
 /** @import {Colouring} from './colouring.js' */
 /** @import {ComputedValues, Wish} from './computed.js' */
@@ -98,10 +98,12 @@
  * `level` is that of the surface that the run starts from, and `group` the symmetry that it keeps; `groups` are those of the cage's faces. For a file, `asked` is its problem, complete, and
  * `report` its results, with which `asked` has no start. Where the problem fills boundaries, `cage` and `groups` are those of the filled cage, and `unfilled` is
  * the one before, with the number of corners of each of its faces. `held`: the numbers of all held faces, where constraints are
- * copied over the symmetry. `text`: that of a cage whose file was bytes, as the page is to keep it.
+ * copied over the symmetry. `text`: that of a cage whose file was bytes, as the page is to keep it. `estimate`: what the run will probably take;
+ * of a minimizer that is only viewed it is not told.
  * @typedef {{counts: CageReport, corners: Uint32Array}} Unfilled
  * @typedef {{type: 'opened', run: number, level: number, cage: CageReport, group: Group, groups: FaceGroup[], asked?: Problem, report?:
- *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>, unfilled?: Unfilled, held?: number[], text?: string}} Opened
+ *   Pick<Report, 'levels' | 'limit' | 'energies' | 'certificate' | 'constraints'>, unfilled?: Unfilled, held?: number[], text?: string,
+ *   estimate?: Estimate}} Opened
  *
  * The current surface. `evaluations` counts all levels so far. `patches` has its evaluated mesh, and `density` counts the quads
  * along each edge of one in the limit mesh, in which the quads of a patch follow each other. `coarse`: `detail` will bring a finer

@@ -73,7 +73,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     const message = openedMessage(core, run, command.problem, opened);
     const constrained = message.cage.boundaries.length > 0 || Object.keys(opened.problem.constraints).length > 0;
     telling.begin(run, opened, { constrained, wish: command.wish ?? null });
-    post(message);
+    post(startable ? { ...message, estimate: opened.estimate } : message);
     yieldThen(() => guard(command.run, () => introduce(command.run)));
     if (command.then) go(command.then === 'run' ? 'running' : 'stepping');
   }

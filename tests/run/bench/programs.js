@@ -4,6 +4,8 @@
  * rounds, because other work on the machine can only slow them down.
  */
 import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { root } from '../process.js';
 
@@ -18,13 +20,18 @@ import { root } from '../process.js';
  * @property {number} iterations
  * @property {number} evaluations
  * @property {string} metric
- * @property {number} metrics
+ * @property {number} metrics how often a metric was assembled
+ * @property {number} seconds
  * @property {string} stop
  */
-/** @typedef {{ seconds: number, group: string, order: number, levels: LevelRow[], steps: import('./tables.js').Step[] }} RunRow */
+/** @typedef {{ level: number, unknowns: number, evaluations: number, seconds: number }} EstimateRow what was expected of a level */
+/** @typedef {{ seconds: number, cpuSeconds: number, group: string, order: number, levels: LevelRow[], estimate: EstimateRow[], steps: import('./tables.js').Step[] }} RunRow */
 /** @typedef {{ cage: string, functional: string, lastLevel: number, metric: string, symmetry: 'symmetric' | 'unsymmetric' }} RunChoice */
 
 const native = path.join(root, 'build/native');
+
+/** What the native benchmark prints. @param {...string} args @returns {string} */
+export const benchText = (...args) => execFileSync(path.join(native, 'umbilic_bench'), args, { encoding: 'utf8' });
 
 /**
  * The measurements of one subject of the benchmark.
@@ -56,6 +63,22 @@ export function benchRun(platform, { cage, functional, lastLevel, metric, symmet
     total += runs[runs.length - 1].seconds;
   }
   return runs.reduce((a, b) => (b.seconds < a.seconds ? b : a));
+}
+
+/**
+ * One run of the command line with its report.
+ * @param {string[]} args of `optimize`
+ * @returns {{ report: import('../../../wasm/types.js').Report, seconds: number, cpuSeconds: number }}
+ */
+export function timeReport(args) {
+  const folder = mkdtempSync(path.join(tmpdir(), 'umbilic-'));
+  try {
+    const file = path.join(folder, 'report.json');
+    const times = timeUmbilic(['optimize', ...args, '--quiet', '--report', file], 1);
+    return { report: JSON.parse(readFileSync(file, 'utf8')), ...times };
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 }
 
 /**

@@ -49,6 +49,17 @@ describe('the page', () => {
     expect(working(state)).toEqual(['Start', 'Step']);
   });
 
+  test('knows what a run will take from when it has opened, and of another one only what that takes', () => {
+    const estimate = { levels: [], seconds: 8, bytes: 1e6 };
+    const [opened] = openedMessages(1);
+    if (opened.type !== 'answered' || opened.message.type !== 'opened') throw new Error('no opening');
+    const told = reduce(after(initialState()), answered({ ...opened.message, estimate }));
+    expect(told.session.estimate).toEqual(estimate);
+    const again = after(told, { type: 'settingsChanged', change: { tolerance: 1e-4 } }, ...openedMessages(2));
+    expect(again.session.run).toBe(2);
+    expect(again.session.estimate).toBe(null);
+  });
+
   test('never changes a state in place', () => {
     /** @param {any} value @returns {any} */
     const freeze = (value) => {

@@ -69,6 +69,8 @@ export function progress(level, total_evaluations) {
     energy: 120,
     gradient_norm: 1,
     predicted_decrease: 0.5,
+    share_done: 0.25,
+    seconds_left: 8,
   };
 }
 

@@ -34,9 +34,19 @@ export function afterOpened(state, opening, message) {
   const { counts, groups, taken } = cagesOf(message);
   const { result } = state.document;
   const held = message.held ?? null;
-  const opened = withView(withSession(state, { run, before: null, opening: null, refused: null, exporting: false }), {
-    coarse: false,
-  });
+  const opened = withView(
+    withSession(state, {
+      run,
+      before: null,
+      opening: null,
+      refused: null,
+      exporting: false,
+      estimate: message.estimate ?? null,
+    }),
+    {
+      coarse: false,
+    },
+  );
   if (purpose === 'recovery') {
     const phase = then === 'hold' ? state.session.phase : phases.running;
     const before = opening.start ? (result.saved?.evaluations ?? 0) : null;

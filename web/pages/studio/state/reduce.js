@@ -60,6 +60,7 @@ export function initialState(theme = 'system', said = parseStudioAddress('')) {
       wanted,
       targets: null,
       exporting: false,
+      estimate: null,
       refused: null,
       version: '',
       cageNames: [firstGenerator.name],

@@ -3,7 +3,7 @@
  * @file The types of the studio's state and actions; no code.
  */
 
-/** @import {BoundaryCondition, CageReport, CapName, CertificateReport, Constraints, ConstraintsReport, Energies} from '../../../../wasm/types.js' */
+/** @import {BoundaryCondition, CageReport, CapName, CertificateReport, Constraints, ConstraintsReport, Energies, Estimate} from '../../../../wasm/types.js' */
 /** @import {FaceGroup, Fill, FunctionalName} from '../../../../wasm/types.js' */
 /** @import {GeneratedCage, Group, LevelReport, Limit, Mesh, Progress, Report, StopReason, SurfaceState, Targets} from '../../../../wasm/types.js' */
 /** @import {AxisView, Camera, Projection} from '../../../address/camera.js' */
@@ -184,6 +184,7 @@
  * @property {EntryName | null} wanted a catalog entry that is being loaded
  * @property {Targets | null} targets what the run was last told to follow
  * @property {boolean} exporting
+ * @property {Estimate | null} estimate what the run on the screen was expected to take when it opened
  * @property {Refusal | null} refused
  * @property {string} version version of the core
  * @property {string[]} cageNames

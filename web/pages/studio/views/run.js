@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file The run's status or result in a sentence, the next thing to do, the run's buttons, and its current numbers.
+ * @file The run's status or result in a sentence, the next thing to do, the run's buttons, its current numbers, and
+ * how long it takes.
  */
 import { nextButton } from '../state/next.js';
 import { runButtons, statusSentence } from '../state/select.js';
+import { estimateWords, leftWords, patienceWords } from '../../../words/durations.js';
 import { counted, significant } from '../../../words/numbers.js';
 import { effortWords } from '../../../words/results.js';
 import { find, onPress, setEnabled, setText } from '../../../views/dom.js';
@@ -19,6 +21,10 @@ function progressLine({ document, session }) {
   const { samples, progress, stop, levels } = document.result;
   const runs = session.phase.name === 'running';
   const sample = samples.at(-1);
+  const { estimate } = session;
+  if (session.phase.name === 'resting') {
+    return estimate && !session.opening && !patienceWords(estimate) ? estimateWords(estimate) : '';
+  }
   if (!progress || !sample) return runs ? 'Preparing the level …' : '';
   if (runs && progress.phase === 'prepare') return `Preparing level ${progress.level} …`;
   if (session.phase.name === 'ended' && !HALTED.includes(stop)) return effortWords(levels, sample.evaluation);
@@ -26,7 +32,10 @@ function progressLine({ document, session }) {
     `energy ${significant(sample.energy, 6)}`,
     `level ${sample.level}`,
     counted(sample.evaluation, 'evaluation'),
-  ].join(' · ');
+    ...(runs ? [leftWords(progress.seconds_left)] : []),
+  ]
+    .filter(Boolean)
+    .join(' · ');
 }
 
 /**
@@ -40,6 +49,8 @@ export function createRunView(root, dispatch) {
   const next = /** @type {HTMLButtonElement} */ (find(root, '#next'));
   const status = find(root, '#status');
   const progress = find(root, '#progress');
+  const done = /** @type {HTMLProgressElement} */ (find(root, '#done'));
+  const patience = find(root, '#patience');
   /** @type {Button['action'][]} */
   const actions = [];
   buttons.forEach((button, i) => {
@@ -60,6 +71,15 @@ export function createRunView(root, dispatch) {
     buttons[0].classList.toggle('primary', !shown);
   }
 
+  /** How much of a run's time is done, and a warning before one that takes long. @param {State} state */
+  function showTime({ document, session: { phase, estimate, opening } }) {
+    done.hidden = phase.name !== 'running';
+    done.value = document.result.progress?.share_done ?? 0;
+    const words = phase.name === 'resting' && estimate && !opening ? patienceWords(estimate) : '';
+    setText(patience, words);
+    patience.hidden = !words;
+  }
+
   return {
     /** @param {State} state */
     update(state) {
@@ -72,6 +92,7 @@ export function createRunView(root, dispatch) {
       setText(status, statusSentence(state));
       showNext(state);
       setText(progress, progressLine(state));
+      showTime(state);
     },
     dispose: () => listening.abort(),
   };
