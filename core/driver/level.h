@@ -27,7 +27,7 @@ inline constexpr double kEnergyFloor = 1e-6 * 8 * std::numbers::pi;
 inline constexpr int kMostHessianUnknowns = 8000;
 
 struct LevelOptions {
-  CapKind cap;
+  CapChoice cap;
   Weights weights;
   int max_iterations;
   double tolerance;

@@ -19,6 +19,7 @@ std::string measure(const std::string& subject, const std::vector<std::string>& 
   if (subject == "scaling") return scaling();
   if (subject == "threads") return threads();
   if (subject == "quadrature") return quadrature();
+  if (subject == "caps") return caps();
   return "";
 }
 
@@ -32,7 +33,7 @@ int main(int argc, char** argv) {
     if (!text.empty()) return std::puts(text.c_str()) < 0;
   }
   std::fputs(
-      "Usage: umbilic_bench throughput | overhead | scaling | threads | quadrature\n"
+      "Usage: umbilic_bench throughput | overhead | scaling | threads | quadrature | caps\n"
       "       umbilic_bench run CAGE FUNCTIONAL LAST_LEVEL auto|identity|sobolev|hessian symmetric|unsymmetric\n",
       stderr);
   return 2;

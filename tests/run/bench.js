@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file `npm run bench`: builds the benchmark natively and for WebAssembly, runs the given subjects (`npm run bench --
- * shapes metrics`; by default all but the quadrature rules), prints their tables and writes build/bench.json. `npm run
+ * shapes metrics`; by default all but the quadrature rules and the caps), prints their tables and writes build/bench.json. `npm run
  * bench -- readme` copies the last results into tests/bench/README.md.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
+import * as caps from './bench/caps.js';
 import * as evolver from './bench/beside_evolver.js';
 import * as metrics from './bench/metrics.js';
 import * as overhead from './bench/overhead.js';
@@ -28,8 +29,8 @@ import { root } from './process.js';
  */
 
 /** In the order of the tables. @type {Record<string, Subject>} */
-const subjects = { throughput, shapes, metrics, overhead, scaling, threads, evolver, quadrature };
-const byDefault = Object.keys(subjects).filter((name) => name !== 'quadrature');
+const subjects = { throughput, shapes, metrics, overhead, scaling, threads, evolver, quadrature, caps };
+const byDefault = Object.keys(subjects).filter((name) => name !== 'quadrature' && name !== 'caps');
 const results = path.join(root, 'build/bench.json');
 const readme = path.join(root, 'tests/bench/README.md');
 
