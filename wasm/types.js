@@ -35,6 +35,7 @@
  * @typedef {object} Options
  * @property {CapName} [cap] default 'smooth'
  * @property {[number, number]} [levels] first and last, in Catmull-Clark steps from the cage; default [0, 2]
+ * @property {1|2|4|8|16} [cap_rings] the most rings of faces that a smooth cap takes; default 16
  * @property {number} [max_iterations] per level; default 1000
  * @property {number} [tolerance] default 1e-6
  * @property {number} [accuracy] ends with the first level from which the limit is known within this part of it
@@ -166,6 +167,7 @@
  * @property {boolean} evaluable whether the surface was evaluated on the mesh whose points were moved; a coarser mesh
  *   only prepares the first such level
  * @property {boolean} credible whether its energies can be those of a surface
+ * @property {number} cap_rings rings of faces of its narrowest cap that may move; 0 without caps
  * @property {boolean} thickened whether its start was made thicker because its samples missed curvature
  * @property {number} predicted_decrease how much the level could still decrease the energy when it ended; NaN before the
  *   first iteration
@@ -188,6 +190,8 @@
  * @property {number} order observed order of convergence; NaN if it cannot be determined
  * @property {number} error the limit is within energy ± error
  * @property {number} lower the limit is not below this: energy − error, or the least that a closed surface has
+ * @property {boolean} caps_included whether the error knows that of the caps: not for functionals of third order whose
+ *   caps did not widen with the last level
  */
 
 /**

@@ -110,6 +110,15 @@ Json json_of(const StartResult& start) {
           {"level", start.last.level},          {"stop", std::string(name_of(start.last.stop))}};
 }
 
+/// The levels up to that of the minimizer that is shown.
+std::vector<LevelReport> levels_to_the_shown(const Entry& entry) {
+  std::vector<LevelReport> levels = without_times(entry.levels);
+  if (entry.settings.shown_level) {
+    std::erase_if(levels, [&](const LevelReport& level) { return level.level > entry.result.level; });
+  }
+  return levels;
+}
+
 std::string minimizer_text(const Entry& entry, std::string_view version) {
   Report report;
   report.program = version;
@@ -118,7 +127,8 @@ std::string minimizer_text(const Entry& entry, std::string_view version) {
   report.problem.options = entry.settings.run;
   report.cage = cage_of(report.problem.cage).value().report;
   report.group = entry.group;
-  report.levels = without_times(entry.levels);
+  report.levels = levels_to_the_shown(entry);
+  if (entry.settings.shown_level) report.problem.options.last_level = entry.result.level;
   report.limit = entry.limit;
   report.energies = entry.energies;
   report.certificate = entry.certificate;

@@ -23,7 +23,10 @@ class Computation {
   /// Returns false if `watch` ended the run.
   bool finish(const Watch& watch) {
     while (run_.progress().phase != Phase::kDone) {
-      if (run_.progress().phase == Phase::kReport && certifiable() && !certify(watch)) return false;
+      if (run_.progress().phase == Phase::kReport) {
+        if (certifiable() && !certify(watch)) return false;
+        if (run_.progress().level == settings_.shown_level) shown_ = {run_.energies(), run_.orbit_points()};
+      }
       run_.step(1);
       if (!watch(run_)) return false;
     }
@@ -34,7 +37,28 @@ class Computation {
   const Run& run() const { return run_; }
   const std::optional<CertificateReport>& certificate() const { return certificate_; }
 
+  /// Fills in the surface that the entry shows: that of the level that is set, or the best.
+  void show(Entry& entry) const {
+    entry.result = run_.result();
+    const auto level = std::find_if(run_.levels().begin(), run_.levels().end(), [&](const LevelReport& report) {
+      return shown_ && report.level == *settings_.shown_level;
+    });
+    if (level == run_.levels().end() || level->level >= entry.result.level) {
+      entry.energies = run_.energies();
+      entry.orbit_points = run_.orbit_points();
+    } else {
+      entry.result = *level;
+      entry.energies = shown_->energies;
+      entry.orbit_points = shown_->orbit_points;
+    }
+  }
+
  private:
+  struct Shown {
+    EnergyReport energies;
+    Points orbit_points;
+  };
+
   bool minimized(int number) const {
     return std::any_of(run_.levels().begin(), run_.levels().end(), [&](const LevelReport& level) {
       return level.level == number && (level.stop == StopReason::kConverged || level.stop == StopReason::kRoundOff);
@@ -61,6 +85,7 @@ class Computation {
   Run run_;
   const EntrySettings& settings_;
   std::optional<CertificateReport> certificate_;
+  std::optional<Shown> shown_;
 };
 
 Result<Run> create_run(const CatalogShape& shape, const EntrySettings& settings, const CageOptions& options) {
@@ -146,12 +171,10 @@ std::optional<Entry> compute_entry(const CatalogShape& shape, const CatalogFunct
   entry.paper = paper_energy(shape, functional);
   entry.exact = exact_energy(shape, functional);
   entry.group = run.group();
-  entry.energies = run.energies();
-  entry.result = run.result();
+  computation.show(entry);
   entry.levels = run.levels();
   entry.limit = run.limit();
   entry.certificate = computation.certificate();
-  entry.orbit_points = run.orbit_points();
   if (settings.second_family) {
     CageOptions options = settings.cage;
     options.family = *settings.second_family;

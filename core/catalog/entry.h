@@ -42,13 +42,13 @@ struct Entry {
   std::optional<double> paper;
   std::optional<ExactEnergy> exact;
   GroupReport group;
-  EnergyReport energies;  ///< of the best level's minimizer
+  EnergyReport energies;  ///< of the minimizer that is shown: the best level's, or EntrySettings::shown_level's
   LevelReport result;     ///< that level
   std::vector<LevelReport> levels;
   LimitReport limit;
   std::optional<CertificateReport> certificate;
   std::optional<SecondFamily> second;
-  Points orbit_points;  ///< of the best level's minimizer, see driver/surface_state.h
+  Points orbit_points;  ///< of that minimizer, see driver/surface_state.h
 };
 
 /// Called during a computation with the current run; returns whether to continue.

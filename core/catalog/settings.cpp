@@ -16,7 +16,7 @@ constexpr int kUnsettledIterations = 400;
 
 /// Hub cages of 3-way junctions are evaluable from level 2 on, and a limit needs three levels. For functionals of third
 /// order these must be levels whose caps have at least two rings. At higher genus this takes minutes.
-constexpr int kHubLevels = 4, kThirdOrderHubLevels = 5, kLargestGenusInDetail = 5;
+constexpr int kHubLevels = 4, kThirdOrderHubLevels = 5, kLargestGenusInDetail = 7;
 
 /// For energies that tend to 0, or whose infimum is only approached by ever thinner tori.
 constexpr int kVanishingLevels = 2;
@@ -48,10 +48,11 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
   } else {
     settings.certified_faces = kMaxCertifiedFaces;
   }
+  const bool in_detail = shape.frame() && functional.name == "mvs_cross" && shape.genus <= kLargestGenusInDetail;
+  if (in_detail && last_level > levels) settings.shown_level = levels++;
   settings.run.last_level = std::min(levels, last_level);
   if (shape.frame() && principal(functional)) {
     settings.second_family = FrameFamily::kHub;
-    const bool in_detail = third_order(functional.weights) && shape.genus <= kLargestGenusInDetail;
     settings.second_last_level = std::min(in_detail ? kThirdOrderHubLevels : kHubLevels, last_level);
   }
   return settings;

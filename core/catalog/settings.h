@@ -15,13 +15,16 @@ struct EntrySettings {
   RunOptions run;
   /// If set, a certificate is computed on the finest level with at most this many faces.
   std::optional<int> certified_faces;
+  /// If set, the entry shows the minimizer of this level; finer ones only tell the limit, and are too large to view.
+  std::optional<int> shown_level{};
   /// If set, the entry is also computed from the other family of cages; and the last level of that run.
   std::optional<FrameFamily> second_family;
   int second_last_level = 0;
 };
 
 /// Levels from 0 to 3 for bending; to 4 for third-order functionals, and if three levels leave an error above 0.05 %;
-/// fewer if the infimum is known and is not attained, or is 0. `last_level` is an upper bound.
+/// to 5 for mvs_cross up to genus 7; fewer if the infimum is known and is not attained, or is 0. `last_level` is an
+/// upper bound.
 EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional& functional, int last_level);
 
 /// One run of the paper's figure 3, which minimizes one shape from a thin and from a thick cage.

@@ -43,7 +43,17 @@ const char* const kCapWords =
     "flat (the tangent plane, as Joshi & Sequin 2007) or none (the limit surface itself,\n"
     "where third-order energies diverge) [smooth]";
 
+const char* const kCapRingsWords =
+    "The most rings of faces that a smooth cap takes: 1, 2, 4, 8 or 16; two widths\n"
+    "tell how much an energy depends on it [16]";
+
 Result<CapKind> parse_cap(const std::string& name) { return called<CapKind>(name); }
+Result<int> parse_cap_rings(const std::string& text) {
+  for (int rings = 1; rings <= kMostCapRings; rings *= 2) {
+    if (text == std::to_string(rings)) return rings;
+  }
+  return Error{fmt::format("{} is none of 1, 2, 4, 8, 16", in_quotes(text))};
+}
 Result<MetricChoice> parse_metric(const std::string& name) { return called<MetricChoice>(name); }
 
 void add_cage_argument(CLI::App& command, std::string& path) {
@@ -52,12 +62,18 @@ void add_cage_argument(CLI::App& command, std::string& path) {
       ->type_name("");
 }
 
-void add_cap_option(CLI::App& command, CapKind& cap) {
+void add_cap_options(CLI::App& command, CapChoice& cap) {
   command
       .add_option_function<std::string>(
-          "--cap", [&cap](const std::string& name) { cap = parse_cap(name).value(); }, kCapWords)
+          "--cap", [&cap](const std::string& name) { cap.kind = parse_cap(name).value(); }, kCapWords)
       ->type_name("CAP")
       ->check(checked(parse_cap));
+  command
+      .add_option_function<std::string>(
+          "--cap-rings", [&cap](const std::string& text) { cap.most_rings = parse_cap_rings(text).value(); },
+          kCapRingsWords)
+      ->type_name("R")
+      ->check(checked(parse_cap_rings));
 }
 
 void add_instruction_set_option(CLI::App& app) {

@@ -16,15 +16,17 @@ namespace umbilic::cli {
 /// CAGE, required.
 void add_cage_argument(CLI::App& command, std::string& path);
 
-/// --cap; `cap` holds the default.
-void add_cap_option(CLI::App& command, CapKind& cap);
+/// --cap and --cap-rings; `cap` holds the defaults.
+void add_cap_options(CLI::App& command, CapChoice& cap);
 
 /// The members of a problem's options, described for help texts.
 extern const char* const kFunctionalWords;
 extern const char* const kWeightsWords;
 extern const char* const kCapWords;
+extern const char* const kCapRingsWords;
 
 Result<CapKind> parse_cap(const std::string& name);
+Result<int> parse_cap_rings(const std::string& text);
 Result<MetricChoice> parse_metric(const std::string& name);
 
 /// --instruction-set; takes effect before the command runs.

@@ -22,12 +22,13 @@ namespace {
 struct CheckGradientArguments {
   std::string cage;
   Weights terms{};
-  CapKind cap = CapKind::kSmooth;
+  CapChoice cap;
   bool json = false;
 };
 
 std::string json(const CageFile& input, const CheckGradientArguments& arguments, const GradientReport& gradient) {
-  const GradientDocument document{std::string(version()), input.report, arguments.terms, arguments.cap, gradient};
+  const GradientDocument document{std::string(version()),   input.report, arguments.terms, arguments.cap,
+                                  arguments.cap.most_rings, gradient};
   return document_text("gradient", document, JsonPrinter::Layout::kIndented);
 }
 
@@ -59,7 +60,7 @@ void add_check_gradient_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<CheckGradientArguments>();
   add_cage_argument(*command, arguments->cage);
   add_terms_options(*command, arguments->terms);
-  add_cap_option(*command, arguments->cap);
+  add_cap_options(*command, arguments->cap);
   add_json_flag(*command, arguments->json);
   command->footer(functional_help());
   command->callback([arguments, &exit_code] {

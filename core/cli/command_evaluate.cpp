@@ -23,7 +23,7 @@ namespace {
 
 struct EvaluateArguments {
   std::string cage;
-  CapKind cap = CapKind::kSmooth;
+  CapChoice cap;
   int levels = 0;
   int threads = hardware_threads();
   bool json = false;
@@ -31,8 +31,12 @@ struct EvaluateArguments {
 };
 
 std::string json(const CageFile& input, const EvaluateArguments& arguments, const EvaluationReport& evaluation) {
-  const EvaluationDocument document{std::string(version()), std::string(name_of(instruction_set())), input.report,
-                                    arguments.cap, evaluation};
+  const EvaluationDocument document{std::string(version()),
+                                    std::string(name_of(instruction_set())),
+                                    input.report,
+                                    arguments.cap,
+                                    arguments.cap.most_rings,
+                                    evaluation};
   return document_text("evaluation", document, JsonPrinter::Layout::kIndented);
 }
 
@@ -59,7 +63,7 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("evaluate", "Print the energies of a cage's surface as it is");
   const auto arguments = std::make_shared<EvaluateArguments>();
   add_cage_argument(*command, arguments->cage);
-  add_cap_option(*command, arguments->cap);
+  add_cap_options(*command, arguments->cap);
   const auto parse_level = [](const std::string& text) { return parse_count(text, 0, kMostLevels); };
   command
       ->add_option_function<std::string>(

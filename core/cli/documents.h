@@ -36,6 +36,7 @@ struct EvaluationDocument {
   std::string instruction_set;
   CageReport cage;
   CapKind cap;
+  int cap_rings;
   EvaluationReport evaluation;
 
   template <class Visit, class Self>
@@ -44,6 +45,7 @@ struct EvaluationDocument {
     visit("instruction_set", self.instruction_set);
     visit("cage", self.cage);
     visit("cap", self.cap);
+    visit("cap_rings", self.cap_rings);
     EvaluationReport::members(visit, self.evaluation);
   }
 };
@@ -54,6 +56,7 @@ struct GradientDocument {
   CageReport cage;
   Weights terms;
   CapKind cap;
+  int cap_rings;
   GradientReport gradient;
 
   template <class Visit, class Self>
@@ -62,6 +65,7 @@ struct GradientDocument {
     visit("cage", self.cage);
     visit("terms", self.terms);
     visit("cap", self.cap);
+    visit("cap_rings", self.cap_rings);
     GradientReport::members(visit, self.gradient);
   }
 };

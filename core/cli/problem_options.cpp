@@ -154,6 +154,8 @@ void add_problem_options(CLI::App& command, const std::shared_ptr<ProblemChanges
       ->excludes(functional);
   add_change(command, changes, "--cap", "CAP", kCapWords, parse_cap,
              [](Problem& problem, CapKind cap) { problem.options.cap = cap; });
+  add_change(command, changes, "--cap-rings", "R", kCapRingsWords, parse_cap_rings,
+             [](Problem& problem, int rings) { problem.options.cap_rings = rings; });
   add_change(
       command, changes, "--levels", "A..B",
       "Minimize, subdivide, minimize: from A to B Catmull-Clark steps of the cage;\n"

@@ -235,8 +235,9 @@ std::string limit_line(const LimitReport& limit) {
       const std::string cut = limit.lower > limit.energy - limit.error
                                   ? ", but not below " + bound_words(limit.lower) + ", as no surface is"
                                   : "";
-      return fmt::format("extrapolated {:.{}f} +- {:.{}f} ({}){}\n", limit.energy, places, limit.error, places, order,
-                         cut);
+      const std::string caps = limit.caps_included ? "" : ", without the caps' own error";
+      return fmt::format("extrapolated {:.{}f} +- {:.{}f} ({}){}{}\n", limit.energy, places, limit.error, places, order,
+                         caps, cut);
     }
     case LimitStatus::kTooFewLevels: return "not extrapolated: too few levels; three are needed\n";
     case LimitStatus::kNotMinimized: return "not extrapolated: one of the last three levels did not converge\n";

@@ -29,7 +29,7 @@ int negative_eigenvalues(const Eigen::MatrixXd& symmetric) {
 }
 
 /// All that the constraints leave, whatever symmetry the surface has.
-Unknowns free_unknowns(const RefinedCage& cage, CapKind cap) {
+Unknowns free_unknowns(const RefinedCage& cage, CapChoice cap) {
   Coordinates coordinates(cage.mesh, {}, held_points(cage, cap));
   return Unknowns(coordinates, solutions_of(cage, coordinates));
 }
@@ -61,7 +61,7 @@ struct Certificate::State {
   std::optional<Error> failure;
   CertificateReport report;
 
-  State(RefinedCage start, CapKind cap, const Weights& weights, int quadrature, std::optional<double> fixed_area)
+  State(RefinedCage start, CapChoice cap, const Weights& weights, int quadrature, std::optional<double> fixed_area)
       : cage(std::move(start)),
         surface(cage, cap, weights, 0, fixed_area),
         unknowns(free_unknowns(cage, cap)),
@@ -151,7 +151,7 @@ struct Certificate::State {
   }
 };
 
-Result<Certificate> Certificate::create(const RefinedCage& cage, CapKind cap, const Weights& weights, int quadrature,
+Result<Certificate> Certificate::create(const RefinedCage& cage, CapChoice cap, const Weights& weights, int quadrature,
                                         std::optional<double> fixed_area) {
   if (cap == CapKind::kFlat) {
     return Error{"no certificate with cap flat: its second derivatives take the caps' normals as fixed"};

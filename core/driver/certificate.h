@@ -47,7 +47,7 @@ class Certificate {
  public:
   /// For a surface with these control points, with quadrature rules refined by `quadrature` steps and `fixed_area` as
   /// in Surface. Where faces are held, the directions are those in which the others can move. Fails as `Run::certify`.
-  static Result<Certificate> create(const RefinedCage& cage, CapKind cap, const Weights& weights, int quadrature = 0,
+  static Result<Certificate> create(const RefinedCage& cage, CapChoice cap, const Weights& weights, int quadrature = 0,
                                     std::optional<double> fixed_area = {});
 
   Certificate(Certificate&&) noexcept;

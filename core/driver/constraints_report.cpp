@@ -128,7 +128,7 @@ Vector3 in_own_units(const Vector3& pull, const RefinedCage& cage) {
   return pull.unaryExpr([&](double x) { return std::ldexp(x, -cage.placement.exponent); });
 }
 
-void add_regions(const Balance& balance, const RefinedCage& cage, CapKind cap, const HeldRegions& regions,
+void add_regions(const Balance& balance, const RefinedCage& cage, CapChoice cap, const HeldRegions& regions,
                  ConstraintsReport& report) {
   const PolygonMesh& mesh = cage.mesh;
   const HeldPoints held = held_points(cage, cap);

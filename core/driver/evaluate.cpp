@@ -31,7 +31,7 @@ double central_difference(const F& f, double h) {
 
 }  // namespace
 
-Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels, bool opinion) {
+Result<EvaluationReport> evaluate(const Cage& cage, CapChoice cap, int levels, bool opinion) {
   Result<RefinedCage> prepared = prepare(cage, levels, false);
   if (!prepared) return prepared.error();
   const int steps = std::max(levels, required_level(prepared->mesh).value());
@@ -47,7 +47,7 @@ Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels, boo
   return report;
 }
 
-Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, CapKind cap) {
+Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, CapChoice cap) {
   Error error;
   if (!usable(weights, error)) return error;
   Result<RefinedCage> refined = refine_to_evaluable(cage, 0, false);

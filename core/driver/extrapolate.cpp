@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-LimitReport no_limit(LimitStatus status, double energy, double order) { return {status, energy, order, kNaN, kNaN}; }
+LimitReport no_limit(LimitStatus status, double energy, double order) {
+  return {status, energy, order, kNaN, kNaN, true};
+}
 
 /// The least of those that can be a surface's, or the last where none can.
 double least_energy(const std::vector<LevelEnergy>& levels) {
@@ -23,13 +25,13 @@ double least_energy(const std::vector<LevelEnergy>& levels) {
   return std::isnan(least) ? levels.back().energy : least;
 }
 
-LimitReport limit_above(double bound, double energy, double order, double error) {
+LimitReport limit_above(double bound, double energy, double order, double error, bool caps_included) {
   const double upper = energy + error;
   if (energy < bound) {
     energy = bound;
     error = std::max(upper - bound, 0.0);
   }
-  return {LimitStatus::kConverging, energy, order, error, std::max(energy - error, bound)};
+  return {LimitStatus::kConverging, energy, order, error, std::max(energy - error, bound), caps_included};
 }
 
 /// Whether the surfaces of three levels converge. Functionals of third order may decrease slowly along surfaces that
@@ -43,6 +45,18 @@ bool settles(const LevelEnergy* levels) {
 /// NaN if an energy has increased.
 double observed_order(double before, double decrease) {
   return before > 0 && decrease > 0 ? std::log2(before / decrease) : kNaN;
+}
+
+/// The least order that the last decrease is taken to go on with. A first order far above the elements' says that the
+/// first of the levels was not in the asymptotic range.
+double least_order(const std::vector<LevelEnergy>& levels, double elements) {
+  if (levels.size() < 4 || !levels[levels.size() - 4].minimized) return 1;
+  const LevelEnergy* last = &levels.back();
+  const double first = last[-3].energy - last[-2].energy, before = last[-2].energy - last[-1].energy;
+  const double earlier = observed_order(first, before);
+  const bool twice = earlier >= kLeastOrder && earlier <= elements + 1 &&
+                     observed_order(before, last[-1].energy - last[0].energy) >= kLeastOrder;
+  return twice ? kLeastOrder : 1;
 }
 
 /// The error that is left after the last of `levels`, if an earlier decrease was entirely due to the elements and falls
@@ -84,8 +98,10 @@ LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order
   if (std::abs(decrease) >= 2 * correction) {
     correction = agree ? 0 : decrease / (std::exp2(std::min(order, elements)) - 1);
   }
-  const double error = std::max(std::abs(decrease) - correction, correction) + uncertainty;
-  return limit_above(lower_bound, last - correction, order, error);
+  const double most = std::abs(decrease) / (std::exp2(least_order(levels, elements)) - 1);
+  const double error = std::max(most - correction, correction) + uncertainty;
+  const bool caps_included = !third_order || three[2].cap_rings == 0 || three[2].cap_rings > three[1].cap_rings;
+  return limit_above(lower_bound, last - correction, order, error, caps_included);
 }
 
 }  // namespace umbilic

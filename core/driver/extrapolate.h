@@ -14,6 +14,14 @@
 /// and lies in [E3 - 2c, E3]. If the previous order p' = log2(d0 / d1) is known and p is less than half of it, d1 was
 /// already too small, and c is d0 / 4^q / (2^q - 1).
 ///
+/// Where two decreases in a row had an order from 3/2 to q + 1, the true order is taken to be no lower, and the limit
+/// lies in [E3 - d2 / (2^(3/2) - 1), E3].
+///
+/// Caps (surface/cap.h) leave an error in energies of third order that falls with their width only. Where the narrowest
+/// cap of the last level is wider than that of the level before, d2 knows this error too, as it falls by the same
+/// factor; else `caps_included` is false. Caps stay as wide where something held, a boundary or another extraordinary
+/// vertex is near.
+///
 /// The error bar reaches to the farther end of the interval, and adds the errors of the optimizer and the quadrature.
 ///
 /// No surface is below the functional's lower bound (energy/lower_bounds.h), and so no limit: one that is extrapolated
@@ -36,6 +44,7 @@ struct LevelEnergy {
   double bending = 0;      ///< bending energy of the same surface
   bool minimized = true;
   bool resolved = true;  ///< whether the energy can be the surface's: EnergyReport::credible
+  int cap_rings = 0;     ///< of the narrowest cap; 0 without caps
 };
 
 /// Smallest observed order at which three levels are believed to be in their asymptotic range.

@@ -340,6 +340,7 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.iterations = iterations();
   report.evaluations = evaluations();
   report.evaluable = evaluable();
+  report.cap_rings = surface_.narrowest_cap();
   report.thickened = thickened_;
   report.credible = energies.credible();
   if (lbfgs_ && lbfgs_->ended()) report.stop = lbfgs_->stop();

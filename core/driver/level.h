@@ -24,7 +24,7 @@ namespace umbilic {
 inline constexpr double kEnergyFloor = 1e-6 * 8 * std::numbers::pi;
 
 struct LevelOptions {
-  CapKind cap;
+  CapChoice cap;
   Weights weights;
   int max_iterations;
   double tolerance;

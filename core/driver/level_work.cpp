@@ -39,9 +39,16 @@ double columns_of(const CapCorners& corners, bool corner) {
   return (corner ? 2 * corners.valence + 8 : 16) + coefficient_count(corners.shape);
 }
 
-CapShape wider(CapShape shape) {
-  if (shape == CapShape::kOneRing) return CapShape::kTwoRing;
-  return shape == CapShape::kTwoRing ? CapShape::kFourRing : shape;
+/// The shape of a cap after a further step. Of caps that use half of their room only, the size does not tell how much
+/// that is, so that they count as if they had no more than their four rings.
+CapShape wider(const CapCorners& corners) {
+  switch (corners.shape) {
+    case CapShape::kOneRing: return CapShape::kTwoRing;
+    case CapShape::kTwoRing: return CapShape::kFourRing;
+    case CapShape::kFourRing: return uses_all_room(corners.valence) ? CapShape::kEightRing : CapShape::kFourRing;
+    case CapShape::kEightRing: return CapShape::kSixteenRing;
+    default: return corners.shape;
+  }
 }
 
 double evaluation_seconds(const SampleCounts& counts, const Rates& rates) {
@@ -87,7 +94,7 @@ LevelSize level_size_after(LevelSize size, int level, int required) {
   const int evaluated = std::max(level, required);
   const double refined = std::pow(4., evaluated - size.evaluated);
   for (int step = size.evaluated; step < evaluated; ++step) {
-    for (CapCorners& corners : size.corners) corners.shape = wider(corners.shape);
+    for (CapCorners& corners : size.corners) corners.shape = wider(corners);
   }
   // Three for each free face, but for those along the edge of what is free, or more where the edge is a mirror: a strip
   // as long as the edge, which a step doubles.
@@ -112,9 +119,12 @@ SampleCounts sample_counts(const LevelSize& size, const QuadratureRule& rule) {
   double covered = 0;
   const double cell = rule.cap_points * rule.cap_points;
   for (const CapCorners& corners : size.corners) {
-    const double others = corners.sectors * (cell_count(corners.shape) - 1) / size.order;
+    const double share = corners.sectors / size.order;
+    const int near = samples_as_regular(corners.shape, cell_count(corners.shape) - 1) ? 4 : cell_count(corners.shape);
     add(corners.patches, cell * (3 * rule.grading + 1), columns_of(corners, true));
-    add(others, cell, columns_of(corners, false));
+    add(share * (near - 1), cell, columns_of(corners, false));
+    add(share * (cell_count(corners.shape) - near), rule.regular_points * rule.regular_points,
+        columns_of(corners, false));
     covered += corners.sectors * cell_count(corners.shape);
   }
   constexpr double kPairs = 16 * 16;

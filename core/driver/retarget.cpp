@@ -50,7 +50,7 @@ std::optional<Error> move_pins(RefinedCage& cage, const Constraints& constraints
 }  // namespace
 
 Result<RefinedCage> with_targets(RefinedCage surface, RefinedCage& cage, const Targets& targets,
-                                 const Constraints& changed, CapKind cap) {
+                                 const Constraints& changed, CapChoice cap) {
   SymmetryGroup before = cage.symmetry;
   if (!targets.pins.empty()) {
     if (auto error = move_pins(cage, changed, surface)) return *error;

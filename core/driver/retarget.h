@@ -13,6 +13,6 @@ namespace umbilic {
 /// their symmetry which the targets have. Fails where the targets contradict one another, and as `hold`
 /// (driver/pin_rows.h); `cage` then stays as it is.
 Result<RefinedCage> with_targets(RefinedCage surface, RefinedCage& cage, const Targets& targets,
-                                 const Constraints& changed, CapKind cap);
+                                 const Constraints& changed, CapChoice cap);
 
 }  // namespace umbilic

@@ -58,7 +58,7 @@ struct Run::State {
   mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
 
   LevelOptions level_options() const {
-    LevelOptions next{options.cap, options.weights, options.max_iterations, tolerance_of(options), options.metric};
+    LevelOptions next{options.caps(), options.weights, options.max_iterations, tolerance_of(options), options.metric};
     if (!levels.empty() && !within) next.energy_before = levels.back().energy_reported;
     next.fixed_area = fixed_area;
     return next;
@@ -92,7 +92,7 @@ struct Run::State {
     if (!opinion) {
       RefinedCage surface = level->surface().cage();
       surface.control = level->best();
-      opinion = umbilic::second_opinion(surface, options.cap, exact);
+      opinion = umbilic::second_opinion(surface, options.caps(), exact);
     }
     return *opinion;
   }
@@ -102,7 +102,7 @@ struct Run::State {
     const EnergyReport& exact = report_energies();
     if (level->surface().placement().is_centred() || level->surface().mesh().is_open()) return exact;
     if (!written) {
-      const Result<EvaluationReport> evaluation = evaluate(control_mesh(), options.cap, 0);
+      const Result<EvaluationReport> evaluation = evaluate(control_mesh(), options.caps(), 0);
       written = evaluation ? evaluation->energies : exact;
       written->quadrature_error = exact.quadrature_error;
       written->free = exact.free;
@@ -187,8 +187,8 @@ struct Run::State {
     RunOptions next = options;
     Constraints changed = constraints;
     if (auto error = set_targets(targets, next, changed)) return error;
-    if (Error error; diverges(cage.mesh, options.cap, next.weights, error)) return error;
-    Result<RefinedCage> surface = with_targets(level->best_cage(), cage, targets, changed, options.cap);
+    if (Error error; diverges(cage.mesh, options.caps(), next.weights, error)) return error;
+    Result<RefinedCage> surface = with_targets(level->best_cage(), cage, targets, changed, options.caps());
     if (!surface) return surface.error();
     options = next;
     constraints = std::move(changed);
@@ -223,7 +223,8 @@ struct Run::State {
           (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
       const double left = tolerance_of(options) * std::max(report.energy_reported, kEnergyFloor);
       energies_of_levels.push_back({report.energy_reported, left + report_of_ended.quadrature_error,
-                                    report_of_ended.functionals[kBending], minimized, report_of_ended.credible()});
+                                    report_of_ended.functionals[kBending], minimized, report_of_ended.credible(),
+                                    report.cap_rings});
     }
     const auto evaluable = static_cast<int>(energies_of_levels.size());
     const bool last = cancelled || level->number() >= options.last_level ||
@@ -254,7 +255,7 @@ struct Run::State {
 namespace {
 
 /// The area of the cage's own surface at the level `required`, in unit coordinates.
-double own_area(const RefinedCage& cage, int required, CapKind cap) {
+double own_area(const RefinedCage& cage, int required, CapChoice cap) {
   RefinedCage own = cage;
   own.control = own.own;
   own.held.clear();
@@ -293,7 +294,7 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constra
   Result<RefinedCage> prepared =
       prepare(cage, std::max(options.last_level, start ? start->level : 0), options.symmetry || start, constraints);
   if (!prepared) return prepared.error();
-  if (diverges(prepared->mesh, options.cap, options.weights, error)) return error;
+  if (diverges(prepared->mesh, options.caps(), options.weights, error)) return error;
   const bool constrained = prepared->is_constrained();
   auto state = std::make_unique<State>(options, constraints, *prepared);
   state->required_level = required_level(prepared->mesh).value();
@@ -304,20 +305,20 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constra
   for (int h = 0; h < prepared->mesh.surface_halfedge_count(); ++h)
     state->faces_of_corners.push_back(state->cage_numbers[prepared->mesh.face(h)]);
   if (constrained && !leaves_size_open(*prepared))
-    state->fixed_area = own_area(*prepared, state->required_level, options.cap);
+    state->fixed_area = own_area(*prepared, state->required_level, options.caps());
   state->held_regions = HeldRegions(prepared->mesh, prepared->held);
   for (std::size_t f = 0; f < prepared->held.size(); ++f) {
     if (prepared->held[f]) state->held_faces.push_back(state->cage_numbers[f]);
   }
   if (start) {
-    prepared = at_state(std::move(prepared).value(), *start, options.cap, options.symmetry);
+    prepared = at_state(std::move(prepared).value(), *start, options.caps(), options.symmetry);
     if (!prepared) return Error{"start: " + prepared.error().message};
     if (!options.symmetry) prepared->symmetry = {};
   }
   const int first_level = constrained ? std::max(options.first_level, state->required_level) : options.first_level;
   RefinedCage first = refine(std::move(prepared).value(), first_level - prepared->level);
   if (constrained) {
-    const Coordinates coordinates(first.mesh, first.symmetry, held_points(first, options.cap));
+    const Coordinates coordinates(first.mesh, first.symmetry, held_points(first, options.caps()));
     if (auto error_of_rows = contradiction_of(first, coordinates)) return *error_of_rows;
     first.control = moved_to_equations(first, coordinates);
   }
@@ -404,7 +405,7 @@ Result<Certificate> Run::certify() const {
   const Level& level = *state_->level;
   RefinedCage cage = level.surface().cage();
   cage.control = level.best();
-  return Certificate::create(cage, state_->options.cap, state_->options.weights, level.quadrature(),
+  return Certificate::create(cage, state_->options.caps(), state_->options.weights, level.quadrature(),
                              state_->fixed_area);
 }
 
@@ -431,7 +432,7 @@ Result<LimitMesh> Run::limit_mesh(int density, const std::optional<Weights>& wei
   const Points& best = state_->level->best();
   std::optional<EnergyDensity> energy;
   if (weights) {
-    if (Error error; diverges(surface.mesh(), state_->options.cap, *weights, error)) return error;
+    if (Error error; diverges(surface.mesh(), state_->options.caps(), *weights, error)) return error;
     energy = {*weights, surface.energy().evaluate(best, nullptr).area_factor};
   }
   LimitMesh mesh = tessellate(surface.mesh(), surface.symmetry(), surface.whole_layout(), best, density, energy);

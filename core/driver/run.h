@@ -129,10 +129,10 @@ class Run {
 /// All energies of the cage's surface after `levels` Catmull-Clark steps (raised when the cage needs more). Fails as
 /// `Run::create`, and where a part of the surface is a curve or a point, which has no curvature. With `opinion` the
 /// report also has what another way of computing finds (driver/second_opinion.h), from the cage on.
-Result<EvaluationReport> evaluate(const Cage& cage, CapKind cap, int levels, bool opinion = false);
+Result<EvaluationReport> evaluate(const Cage& cage, CapChoice cap, int levels, bool opinion = false);
 
 /// Compares the analytic gradient along random directions with central differences of the energy, on the cage's surface
 /// at the first evaluable level. Fails as `Run::create`.
-Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, CapKind cap);
+Result<GradientReport> check_gradient(const Cage& cage, const Weights& weights, CapChoice cap);
 
 }  // namespace umbilic

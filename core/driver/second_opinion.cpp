@@ -54,7 +54,7 @@ OpinionValues values_of(const opinion::Quantities& quantities, const Placement& 
 
 }  // namespace
 
-OpinionReport second_opinion(const RefinedCage& cage, CapKind cap, const EnergyReport& energies) {
+OpinionReport second_opinion(const RefinedCage& cage, CapChoice cap, const EnergyReport& energies) {
   const PatchLayout layout(cage.mesh, cap, face_orbits(cage.mesh, {}), cage.held);
   const Points points = layout.extend(cage.control);
   opinion::PlainSurface surface{cage.mesh, cage.control, form_of(cap)};

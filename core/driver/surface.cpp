@@ -165,7 +165,7 @@ std::vector<bool> beyond_surface(const PolygonMesh& mesh) {
 
 }  // namespace
 
-HeldPoints held_points(const RefinedCage& cage, CapKind cap) {
+HeldPoints held_points(const RefinedCage& cage, CapChoice cap) {
   std::vector<bool> held;
   if (!cage.held.empty()) {
     held = PatchLayout(cage.mesh, cap, face_orbits(cage.mesh, {}), cage.held, Part::kHeld).used_control_points();
@@ -212,7 +212,7 @@ Result<RefinedCage> refine_to_evaluable(const Cage& cage, int level, bool symmet
   return refine(std::move(prepared).value(), steps);
 }
 
-bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Error& error) {
+bool diverges(const PolygonMesh& mesh, CapChoice cap, const Weights& weights, Error& error) {
   if (cap != CapKind::kNone) return false;
   const auto third = std::find_if(weights.begin() + kMvs, weights.end(), [](double w) { return w != 0; });
   if (third == weights.end()) return false;
@@ -225,7 +225,7 @@ bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Erro
   return false;
 }
 
-Surface::Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quadrature,
+Surface::Surface(RefinedCage cage, CapChoice cap, const Weights& weights, int quadrature,
                  std::optional<double> fixed_area)
     : cage_(std::move(cage)),
       genera_(find_components(cage_.mesh).genera),
@@ -258,6 +258,14 @@ SurfaceIntegrals Surface::whole_integrals(const Points& control) const {
     whole_reporting_jets_ = std::make_unique<JetEvaluator>(*whole_, reporting_rule(layout_.cap()));
   }
   return surface_integrals(*whole_reporting_jets_, control);
+}
+
+int Surface::narrowest_cap() const {
+  int narrowest = 0;
+  for (const Cap& cap : layout_.caps()) {
+    if (narrowest == 0 || rings(cap.shape) < narrowest) narrowest = rings(cap.shape);
+  }
+  return narrowest;
 }
 
 double Surface::turning(const Points& control) const {

@@ -56,7 +56,7 @@ RefinedCage refine(RefinedCage cage, int steps);
 /// The control points that the surface over held faces depends on, which stay where the cage's own surface has them;
 /// and those of holes beyond the first ring, on which no surface depends, so that no energy could tell where they go.
 /// The mesh must be evaluable if faces are held.
-HeldPoints held_points(const RefinedCage& cage, CapKind cap);
+HeldPoints held_points(const RefinedCage& cage, CapChoice cap);
 /// The polygons of a mesh's surface, with corners in the order of its half-edges. Of an open surface that has been
 /// optimized, this is not all: its ghosts are unknowns of their own, and a cage without them evaluates as the surface
 /// with the standard ones (mesh/ghosts.h). A SurfaceState has them.
@@ -71,7 +71,7 @@ Result<RefinedCage> refine_to_evaluable(const Cage& cage, int level, bool symmet
 class Surface {
  public:
   /// For points with the symmetry of the cage, with a minimizing rule refined by `quadrature` steps.
-  Surface(RefinedCage cage, CapKind cap, const Weights& weights, int quadrature = 0,
+  Surface(RefinedCage cage, CapChoice cap, const Weights& weights, int quadrature = 0,
           std::optional<double> fixed_area = {});
 
   const RefinedCage& cage() const { return cage_; }
@@ -97,6 +97,8 @@ class Surface {
   const std::vector<int>& genera() const { return genera_; }
   /// Of the weighted functional, see energy/lower_bounds.h; 0 where that is not the whole surface's.
   double lower_bound() const { return holds_faces() ? 0 : bound_of(weights_); }
+  /// Rings of faces of the narrowest cap that is not held; 0 without caps.
+  int narrowest_cap() const;
   /// How much the boundary turns (surface/boundary_turning.h); 0 if there is none.
   double turning(const Points& control) const;
   /// What the integral of the Gaussian curvature over the free faces and the turning of the boundary sum to, by Gauss &
@@ -133,6 +135,6 @@ class Surface {
 };
 
 /// Whether third-order functionals diverge on the mesh with this cap; `error` then names a vertex that causes it.
-bool diverges(const PolygonMesh& mesh, CapKind cap, const Weights& weights, Error& error);
+bool diverges(const PolygonMesh& mesh, CapChoice cap, const Weights& weights, Error& error);
 
 }  // namespace umbilic

@@ -26,7 +26,7 @@ RefinedCage refine_connectivity(RefinedCage cage, int steps) {
 
 }  // namespace
 
-Result<RefinedCage> at_state(RefinedCage cage, const SurfaceState& state, CapKind cap, bool symmetric) {
+Result<RefinedCage> at_state(RefinedCage cage, const SurfaceState& state, CapChoice cap, bool symmetric) {
   RefinedCage result = refine_connectivity(std::move(cage), state.level);
   const Points& points = state.points;
   const int vertices = result.mesh.vertex_count();

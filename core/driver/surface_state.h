@@ -14,6 +14,6 @@ namespace umbilic {
 /// all vertices, if the run kept none, in which case a symmetry of the mesh is searched for if `symmetric`.
 /// `Run::orbit_points` gives either. Held points are taken from the cage. Errors name the expected number of points, or
 /// a point that is not finite.
-Result<RefinedCage> at_state(RefinedCage cage, const SurfaceState& state, CapKind cap, bool symmetric);
+Result<RefinedCage> at_state(RefinedCage cage, const SurfaceState& state, CapChoice cap, bool symmetric);
 
 }  // namespace umbilic

@@ -46,6 +46,15 @@ int index_in(const std::vector<int>& sorted, int value) {
   return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
 }
 
+/// Replaces `values` by turn^T values. A turn mixes only monomials of the same degree.
+void turn_rows(const Eigen::MatrixXd& turn, Eigen::MatrixXd& values) {
+  Eigen::MatrixXd before;
+  for (Eigen::Index first = 0, size = 1; first < turn.rows(); first += size, ++size) {
+    before = values.middleRows(first, size);
+    values.middleRows(first, size) = turn.block(first, first, size, size).transpose().lazyProduct(before);
+  }
+}
+
 /// Number of a patch's points that are control points; they come first.
 int net_count(const PatchSet& patches) { return patches.columns - coefficient_count(patches.kind.shape); }
 
@@ -260,8 +269,8 @@ void PatchAssembly::coefficient_terms(int set, int patch, const Block& block, Pa
   const Cap& cap = layout_.caps()[patches.caps[patch]];
   const int count = coefficient_count(cap.shape), net = net_count(patches);
   const int sector = (points[net] - cap.first_coefficient) / count;
-  const Eigen::MatrixXd turn = patches.multiplicities[patch] * sector_of(cap).turn(sector);
-  const Eigen::MatrixXd turn_back = sector_of(cap).turn(sector).transpose();
+  const Eigen::MatrixXd& turn = sector_of(cap).turn(sector);
+  const double multiplicity = patches.multiplicities[patch];
   Eigen::MatrixXd part(count, count), mixed(count, net);
   terms.own.setZero(coordinates() * count, coordinates() * count);
   for (int c = 0; c < coordinates(); ++c) {
@@ -269,13 +278,18 @@ void PatchAssembly::coefficient_terms(int set, int patch, const Block& block, Pa
       if (Block::kSameForAllCoordinates && c != e) continue;
       if (!Block::kSameForAllCoordinates || c == 0) {
         for (int i = 0; i < count; ++i) {
-          for (int k = 0; k < count; ++k) part(k, i) = block(c, net + k, e, net + i);
+          for (int k = 0; k < count; ++k) part(k, i) = multiplicity * block(c, net + k, e, net + i);
         }
-        part = (turn_back * part * turn).eval();
         for (int i = 0; i < net; ++i) {
-          for (int k = 0; k < count; ++k) mixed(k, i) = block(c, net + k, e, i);
+          for (int k = 0; k < count; ++k) mixed(k, i) = multiplicity * block(c, net + k, e, i);
         }
-        mixed = (turn.transpose() * mixed).eval();
+        if (sector > 0) {
+          turn_rows(turn, part);
+          part.transposeInPlace();
+          turn_rows(turn, part);
+          part.transposeInPlace();
+          turn_rows(turn, mixed);
+        }
       }
       terms.own.block(c * count, e * count, count, count) = part;
       terms.mixed[3 * c + e] = mixed;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
 
 #include "problem/problem.h"
@@ -17,6 +18,9 @@ bool in_range(const RunOptions& options, Error& error) {
     error.message = fmt::format("levels[0]: {} is negative", options.first_level);
   } else if (options.last_level < options.first_level) {
     error.message = fmt::format("levels[1]: {} is below levels[0], {}", options.last_level, options.first_level);
+  } else if (options.cap_rings < 1 || options.cap_rings > kMostCapRings ||
+             !std::has_single_bit(static_cast<unsigned>(options.cap_rings))) {
+    error.message = fmt::format("cap_rings: {} is none of 1, 2, 4, 8, 16", options.cap_rings);
   } else if (options.max_iterations < 0) {
     error.message = fmt::format("max_iterations: {} is negative", options.max_iterations);
   } else if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {

@@ -141,6 +141,7 @@ struct LevelReport {
   bool credible = true;
   bool thickened = false;
   bool evaluable = true;
+  int cap_rings = 0;
   double predicted_decrease = std::numeric_limits<double>::quiet_NaN();
 
   template <class Visit, class Self>
@@ -163,6 +164,7 @@ struct LevelReport {
     visit("evaluable", self.evaluable,
           "Whether the moved mesh is the evaluated one; coarser ones only prepare the first of these");
     visit("credible", self.credible, "Whether its energies can be those of a surface");
+    visit("cap_rings", self.cap_rings, "Rings of faces of its narrowest cap that may move; 0 without caps");
     visit("thickened", self.thickened,
           "Whether its start was made thicker, because its samples missed curvature (core/driver/thickness.h)");
     visit("predicted_decrease", self.predicted_decrease,
@@ -215,6 +217,7 @@ struct LimitReport {
   double order = 0;
   double error = 0;
   double lower = 0;
+  bool caps_included = true;
 
   /// The error as a part of the limit; NaN unless there is one.
   double relative_error() const {
@@ -230,6 +233,9 @@ struct LimitReport {
     visit("lower", self.lower,
           "The limit is not below this: energy - error, or the least that a closed surface has; null where there is "
           "none");
+    visit("caps_included", self.caps_included,
+          "Whether the error knows that of the caps: not for functionals of third order whose caps did not widen with "
+          "the last level");
   }
 };
 

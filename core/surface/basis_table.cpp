@@ -111,7 +111,7 @@ BasisTable basis_table(const PatchKind& kind, std::vector<Sample> samples, int f
 }
 
 std::vector<Sample> samples_of(const PatchKind& kind, const QuadratureRule& rule) {
-  if (kind.regular()) return tensor_rule(rule.regular_points);
+  if (kind.regular() || samples_as_regular(kind.shape, kind.cell)) return tensor_rule(rule.regular_points);
   return kind.at_extraordinary() ? graded_rule(rule.cap_points, rule.grading) : tensor_rule(rule.cap_points);
 }
 

@@ -86,6 +86,10 @@ BasisTable basis_table(const PatchKind& kind, std::vector<Sample> samples, int f
 /// of tessellations.
 inline constexpr std::size_t kSharedTableBytes = 64 << 20;
 
+/// Whether a cell of a cap takes as many samples as a regular face: so far from the vertex, where the blend is so slow,
+/// X is as smooth as on others. On the genus-2 frame at level 3 that changes energies by less than 1e-6.
+constexpr bool samples_as_regular(CapShape shape, int cell) { return rings(shape) >= 8 && ring_of(shape, cell) >= 2; }
+
 /// The rule's samples on a face of this kind.
 std::vector<Sample> samples_of(const PatchKind& kind, const QuadratureRule& rule);
 

@@ -21,11 +21,12 @@ namespace {
 constexpr int kFitPoints = 12;
 constexpr int kFitGrading = 2;
 
-/// The samples on a face at which Q is fitted to S; none if the face is not in the fitted ring.
+/// The samples on a face at which Q is fitted to S; none if the face is in no fitted ring.
 std::vector<Sample> fit_samples(CapShape shape, int cell) {
   if (shape == CapShape::kOneRing) return graded_rule(kFitPoints, kFitGrading);
-  const bool in_second_ring = std::max(cell % rings(shape), cell / rings(shape)) == 1;
-  return in_second_ring ? tensor_rule(kFitPoints) : std::vector<Sample>();
+  const int ring = ring_of(shape, cell);
+  const bool fitted = ring >= design(shape).first_fit && ring <= design(shape).last_fit;
+  return fitted ? tensor_rule(kFitPoints) : std::vector<Sample>();
 }
 
 /// Index of x^(k-l) y^l among the monomials, sorted by degree k.
@@ -55,7 +56,9 @@ Derivatives CapSector::blend(int cell, double u, double v) const {
     case CapShape::kFlat: return tensor_blend(paper_blend, u, v, 1);
     case CapShape::kOneRing:
     case CapShape::kTwoRing:
-    case CapShape::kFourRing: {
+    case CapShape::kFourRing:
+    case CapShape::kEightRing:
+    case CapShape::kSixteenRing: {
       const int i = cell % rings(shape_), j = cell / rings(shape_);
       return tensor_blend(smoothstep_blend, i + u, j + v, rings(shape_));
     }

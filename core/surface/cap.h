@@ -13,13 +13,14 @@
 /// b       blend (eq. 8 for `kFlat`)
 /// Q       plane or polynomial that replaces S at the extraordinary vertex
 ///
-/// A smooth cap takes four rings of faces if there is room, else two or one. Wider is better: beyond its R rings the
-/// surface is S, and in ring k around an extraordinary vertex splines of mesh size h reproduce the gradient of the
-/// curvature only to O(kappa / (k^2 h)), since their sectors meet at the wrong angle. Its square sums to O(kappa^2 /
-/// R^2), an error of third-order energies that does not vanish with h. Example: MVS_cross of a sphere from the cube's
-/// cage is 2.6 at level 4 with two rings and 1.2 with four.
+/// A smooth cap takes up to sixteen rings of faces, as there is room (surface/layout.h). Wider is better: beyond its R
+/// rings the surface is S, and in ring k around an extraordinary vertex splines of mesh size h reproduce the gradient
+/// of the curvature only to O(kappa / (k^2 h)), since their sectors meet at the wrong angle. Its square sums to
+/// O(kappa^2 / R^2), an error of third-order energies that does not vanish with h, but with rings that double from
+/// level to level. `npm run bench -- caps` shows it.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "surface/ring_net.h"
@@ -28,33 +29,52 @@ namespace umbilic {
 
 /// What covers an extraordinary vertex. The number of rings depends on how much room there is.
 enum class CapShape {
-  kBare,      ///< no cap: Q = S
-  kFlat,      ///< one ring; Q = S projected on the limit tangent plane
-  kOneRing,   ///< one ring; Q of degree 3 in the characteristic map
-  kTwoRing,   ///< two rings; Q of degree 4
-  kFourRing,  ///< four rings; Q of degree 5
+  kBare,         ///< no cap: Q = S
+  kFlat,         ///< one ring; Q = S projected on the limit tangent plane
+  kOneRing,      ///< one ring; Q of degree 3 in the characteristic map
+  kTwoRing,      ///< two rings; Q of degree 4
+  kFourRing,     ///< four rings; Q of degree 5
+  kEightRing,    ///< eight rings; Q of degree 6
+  kSixteenRing,  ///< sixteen rings; Q of degree 6
 };
 
+/// What sets the caps apart: how many rings of faces they change, and how Q is fitted.
+struct CapDesign {
+  int rings;
+  int degree;               ///< of Q as a polynomial in the characteristic map; 0 if Q is no such polynomial
+  int first_fit, last_fit;  ///< the rings of faces over which Q is fitted to S, from 0
+};
+
+/// Q is fitted near the vertex, where S has no control points that could make up for Q's errors; in wide caps not
+/// nearer than in the fourth ring or so, since over a narrower range higher degrees are ill determined: fitted over the
+/// second ring, sixteen rings end in surfaces that are none. Degree 7 gains nothing.
+constexpr CapDesign design(CapShape shape) {
+  switch (shape) {
+    case CapShape::kBare:
+    case CapShape::kFlat: return {1, 0, 0, 0};
+    case CapShape::kOneRing: return {1, 3, 0, 0};
+    case CapShape::kTwoRing: return {2, 4, 1, 1};
+    case CapShape::kFourRing: return {4, 5, 1, 1};
+    case CapShape::kEightRing: return {8, 6, 2, 4};
+    case CapShape::kSixteenRing: return {16, 6, 3, 6};
+  }
+  return {};
+}
+
 /// Number of rings of faces that the cap changes.
-constexpr int rings(CapShape shape) { return shape == CapShape::kFourRing ? 4 : shape == CapShape::kTwoRing ? 2 : 1; }
+constexpr int rings(CapShape shape) { return design(shape).rings; }
 
 /// Number of faces in a sector that the cap changes; cell c is the face (c % rings, c / rings).
 constexpr int cell_count(CapShape shape) { return rings(shape) * rings(shape); }
+
+/// The ring that a cell is in, from 0.
+constexpr int ring_of(CapShape shape, int cell) { return std::max(cell % rings(shape), cell / rings(shape)); }
 
 /// Number of rings of control points that the cap depends on.
 constexpr int control_rings(CapShape shape) { return rings(shape) + 1; }
 
 /// Degree of Q as a polynomial in the characteristic map; 0 if Q is no such polynomial.
-constexpr int degree(CapShape shape) {
-  switch (shape) {
-    case CapShape::kBare:
-    case CapShape::kFlat: return 0;
-    case CapShape::kOneRing: return 3;
-    case CapShape::kTwoRing: return 4;
-    case CapShape::kFourRing: return 5;
-  }
-  return 0;
-}
+constexpr int degree(CapShape shape) { return design(shape).degree; }
 
 /// Polynomial coefficients of Q per sector.
 constexpr int coefficient_count(CapShape shape) {
@@ -80,10 +100,9 @@ class CapSector {
   DerivativeRows flattening(double u, double v) const;
 
   /// The coefficients of Q in the sector's own coordinates as a linear function of the net, coefficients x net size:
-  /// the least-squares fit to S, weighted by |grad b|^2, over the second ring (over the only ring of a one-ring cap).
-  /// Farther out S has control points of its own, which can make up for errors of Q. Only the sectors that carry
-  /// surface are fitted: in the others S would depend on more ghosts than there are. The fit is invariant under the
-  /// mirror that exchanges the first of them with the last.
+  /// the least-squares fit to S over the design's rings, weighted by |grad b|^2. Only the sectors that carry surface
+  /// are fitted: in the others S would depend on more ghosts than there are. The fit is invariant under the mirror that
+  /// exchanges the first of them with the last.
   const Eigen::MatrixXd& fit() const { return fit_; }
   /// The nonzero columns of `fit`, sorted.
   const std::vector<int>& fit_support() const { return fit_support_; }

@@ -10,8 +10,11 @@ namespace umbilic {
 enum class CapKind {
   kNone,    ///< the limit surface itself; third-order functionals diverge
   kFlat,    ///< blended over one ring with its projection on the tangent plane (the paper's section 3)
-  kSmooth,  ///< blended over up to four rings with a polynomial in the characteristic map
+  kSmooth,  ///< blended over up to sixteen rings with a polynomial in the characteristic map
 };
+
+/// The most rings of faces that a smooth cap takes.
+inline constexpr int kMostCapRings = 16;
 
 /// "none", "flat", "smooth".
 constexpr std::string_view name_of(CapKind cap) {
@@ -22,5 +25,15 @@ constexpr std::string_view name_of(CapKind cap) {
   }
   return "";
 }
+
+/// A kind, and for `kSmooth` the most rings that a cap may take.
+struct CapChoice {
+  CapKind kind;
+  int most_rings;
+
+  constexpr CapChoice(CapKind of_kind = CapKind::kSmooth, int rings = kMostCapRings)
+      : kind(of_kind), most_rings(rings) {}
+  constexpr operator CapKind() const { return kind; }
+};
 
 }  // namespace umbilic

@@ -123,24 +123,49 @@ Reach reach_of(const PolygonMesh& mesh, int vertex, int rings) {
   return {reach_of(mesh, vertex, rings / 2).faces, false};
 }
 
-/// Shapes of smooth caps. Each vertex gets the widest cap whose faces no other cap of the same width would use, and
-/// that does not mix held faces with free ones. Caps of one ring may mix them.
-std::vector<CapShape> widest_shapes(const PolygonMesh& mesh, const std::vector<int>& extraordinary,
-                                    const std::vector<bool>& held) {
-  std::vector<CapShape> shapes(extraordinary.size(), CapShape::kOneRing);
-  for (const CapShape wider : {CapShape::kTwoRing, CapShape::kFourRing}) {
-    std::vector<Reach> reaches;
-    std::vector<int> covered(mesh.face_count(), 0);
-    for (const int v : extraordinary) {
-      reaches.push_back(reach_of(mesh, v, rings(wider)));
-      for (const int f : reaches.back().faces) ++covered[f];
+/// Whether no other reach has one of the faces, and all of them are held or all free.
+class Room {
+ public:
+  Room(const PolygonMesh& mesh, const std::vector<Reach>& reaches, const std::vector<bool>& held)
+      : held_(held), reached_(mesh.face_count(), 0) {
+    for (const Reach& reach : reaches) {
+      for (const int f : reach.faces) ++reached_[f];
     }
-    for (std::size_t i = 0; i < reaches.size(); ++i) {
-      const std::vector<int>& faces = reaches[i].faces;
-      const auto alone = [&](int f) { return covered[f] == 1; };
-      const auto as_first = [&](int f) { return held[f] == held[faces.front()]; };
-      const bool mixed = !held.empty() && !std::all_of(faces.begin(), faces.end(), as_first);
-      if (reaches[i].whole && !mixed && std::all_of(faces.begin(), faces.end(), alone)) shapes[i] = wider;
+  }
+  bool for_reach(const Reach& reach) const {
+    return std::all_of(reach.faces.begin(), reach.faces.end(), [&](int f) {
+      return reached_[f] == 1 && (held_.empty() || held_[f] == held_[reach.faces.front()]);
+    });
+  }
+
+ private:
+  const std::vector<bool>& held_;
+  std::vector<int> reached_;
+};
+
+/// The shape of a cap with room for so many rings.
+CapShape shape_with_room(int rings, int valence) {
+  const int wide = uses_all_room(valence) ? rings : rings / 2;
+  if (wide >= 16) return CapShape::kSixteenRing;
+  if (wide == 8) return CapShape::kEightRing;
+  return rings >= 4 ? CapShape::kFourRing : rings == 2 ? CapShape::kTwoRing : CapShape::kOneRing;
+}
+
+/// Shapes of smooth caps, as PatchLayout's constructor tells. The room is doubled only for those that have it so far:
+/// where extraordinary vertices are close together the search ends soon.
+std::vector<CapShape> widest_shapes(const PolygonMesh& mesh, const std::vector<int>& extraordinary,
+                                    const std::vector<bool>& held, int most_rings) {
+  std::vector<CapShape> shapes(extraordinary.size(), CapShape::kOneRing);
+  std::vector<std::size_t> growing(extraordinary.size());
+  std::iota(growing.begin(), growing.end(), 0);
+  std::vector<Reach> reaches(extraordinary.size());
+  for (int wider = 2; wider <= 2 * kMostCapRings && !growing.empty(); wider *= 2) {
+    for (const std::size_t i : growing) reaches[i] = reach_of(mesh, extraordinary[i], wider);
+    const Room room(mesh, reaches, held);
+    std::erase_if(growing, [&](std::size_t i) { return !reaches[i].whole || !room.for_reach(reaches[i]); });
+    for (const std::size_t i : growing) {
+      const CapShape shape = shape_with_room(wider, mesh.valence(extraordinary[i]));
+      if (rings(shape) <= most_rings) shapes[i] = shape;
     }
   }
   return shapes;
@@ -172,10 +197,10 @@ Orbits single_faces(const PolygonMesh& mesh) {
 
 }  // namespace
 
-PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap) : PatchLayout(mesh, cap, single_faces(mesh)) {}
+PatchLayout::PatchLayout(const PolygonMesh& mesh, CapChoice cap) : PatchLayout(mesh, cap, single_faces(mesh)) {}
 
-PatchLayout::PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& face_orbits, const std::vector<bool>& held,
-                         Part part)
+PatchLayout::PatchLayout(const PolygonMesh& mesh, CapChoice cap, const Orbits& face_orbits,
+                         const std::vector<bool>& held, Part part)
     : cap_(cap), control_count_(mesh.vertex_count()), point_count_(control_count_), face_count_(0) {
   const auto covers = [&](int f) { return part == Part::kAll || (!held.empty() && held[f]) == (part == Part::kHeld); };
   for (int f = 0; f < mesh.surface_face_count(); ++f) face_count_ += covers(f);
@@ -244,7 +269,7 @@ std::vector<Cap> PatchLayout::find_caps(const PolygonMesh& mesh, const std::vect
   }
   const std::vector<CapShape> shapes =
       cap_ == CapKind::kSmooth
-          ? widest_shapes(mesh, extraordinary, held)
+          ? widest_shapes(mesh, extraordinary, held, cap_.most_rings)
           : std::vector<CapShape>(extraordinary.size(), cap_ == CapKind::kNone ? CapShape::kBare : CapShape::kFlat);
   std::vector<Cap> caps;
   for (std::size_t i = 0; i < extraordinary.size(); ++i) {
@@ -275,7 +300,7 @@ namespace {
 
 /// The coefficients of a cap's polynomial, in the coordinates of sector 0.
 using Coefficients =
-    Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, coefficient_count(CapShape::kFourRing), 3>;
+    Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, coefficient_count(CapShape::kSixteenRing), 3>;
 
 }  // namespace
 

@@ -43,26 +43,32 @@ struct PatchSet {
   const int* points_of(int patch) const { return &points[static_cast<std::size_t>(columns) * patch]; }
 };
 
+/// Whether caps of this valence take more than four rings where they have room for no more than these.
+constexpr bool uses_all_room(int valence) { return valence <= 5; }
+
 /// Which faces of a mesh a layout covers, where the surface over some of them is held.
 enum class Part { kAll, kFree, kHeld };
 
 class PatchLayout {
  public:
-  /// `mesh` must be evaluable (mesh/hierarchy.h). Each smooth cap takes four rings, else two, else one: the widest cap
-  /// whose faces no other cap of that width would use, and whose faces are all held or all free. Only faces of the
-  /// surface get patches. A cap may not reach over the boundary; at an extraordinary vertex on the boundary it takes
-  /// one ring of the surface.
-  PatchLayout(const PolygonMesh& mesh, CapKind cap);
+  /// `mesh` must be evaluable (mesh/hierarchy.h). Each smooth cap takes as many rings as it has room for, at most
+  /// `cap.most_rings`: 1, 2, 4, 8 or 16. There is room for a power of 2 if no other vertex that has half of it reaches
+  /// one of these faces, and if they are all held or all free. Only caps of valence 3 and 5 use it whole beyond four
+  /// rings, others half of it: faces of wide caps cost several times as much as others, and with more valence there are
+  /// more.
+  /// Only faces of the surface get patches. A cap may not reach over the boundary; at an extraordinary vertex on the
+  /// boundary it takes one ring of the surface.
+  PatchLayout(const PolygonMesh& mesh, CapChoice cap);
   /// Keeps only one patch of each orbit of faces, with the size of the orbit as its multiplicity, and only the caps of
   /// those patches. `held` tells of each face whether it is held, or is empty; orbits are held as a whole.
-  PatchLayout(const PolygonMesh& mesh, CapKind cap, const Orbits& face_orbits, const std::vector<bool>& held = {},
+  PatchLayout(const PolygonMesh& mesh, CapChoice cap, const Orbits& face_orbits, const std::vector<bool>& held = {},
               Part part = Part::kAll);
 
   int control_count() const { return control_count_; }
   int point_count() const { return point_count_; }
   int patch_count() const;
   int face_count() const { return face_count_; }  ///< of the part of the surface that is covered
-  CapKind cap() const { return cap_; }
+  CapChoice cap() const { return cap_; }
   const std::vector<PatchSet>& sets() const { return sets_; }
   const std::vector<Cap>& caps() const { return caps_; }
 
@@ -81,7 +87,7 @@ class PatchLayout {
   std::vector<Cap> find_caps(const PolygonMesh& mesh, const std::vector<bool>& held) const;
   void add_patch(PatchKind kind, int halfedge, int cap, const std::vector<int>& points, double multiplicity);
 
-  CapKind cap_;
+  CapChoice cap_;
   int control_count_, point_count_, face_count_;
   std::vector<Cap> caps_;
   std::vector<PatchSet> sets_;

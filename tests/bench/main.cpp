@@ -21,6 +21,7 @@ std::string measure(const std::string& subject, const std::vector<std::string>& 
   if (subject == "cage") return cage_text(arguments);
   if (subject == "rates") return rates();
   if (subject == "quadrature") return quadrature();
+  if (subject == "caps") return caps();
   return "";
 }
 
@@ -34,7 +35,7 @@ int main(int argc, char** argv) {
     if (!text.empty()) return std::puts(text.c_str()) < 0;
   }
   std::fputs(
-      "Usage: umbilic_bench throughput | overhead | scaling | threads | rates | quadrature\n"
+      "Usage: umbilic_bench throughput | overhead | scaling | threads | rates | quadrature | caps\n"
       "       umbilic_bench cage NAME\n"
       "       umbilic_bench run CAGE FUNCTIONAL LAST_LEVEL auto|identity|sobolev|hessian symmetric|unsymmetric\n",
       stderr);

@@ -39,6 +39,9 @@ std::string phases();
 /// Errors of rules on surfaces that were minimized by the rule in use, which exploits its errors.
 std::string quadrature();
 
+/// Energies of minimizers by level and by the most rings that caps may take.
+std::string caps();
+
 /// A run from its cage to its end: CAGE FUNCTIONAL LAST_LEVEL METRIC symmetric|unsymmetric, as a JSON object; nothing
 /// for other arguments.
 std::string whole_run(const std::vector<std::string>& arguments);

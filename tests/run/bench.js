@@ -7,6 +7,7 @@
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
+import * as caps from './bench/caps.js';
 import * as evolver from './bench/beside_evolver.js';
 import * as estimates from './bench/estimates.js';
 import * as limits from './bench/limits.js';
@@ -43,10 +44,11 @@ const subjects = {
   estimates,
   evolver,
   quadrature,
+  caps,
   limits,
 };
 /** Those that show what was chosen, or take long. */
-const onRequest = ['unsymmetric', 'quadrature', 'limits'];
+const onRequest = ['unsymmetric', 'quadrature', 'caps', 'limits'];
 const byDefault = Object.keys(subjects).filter((name) => !onRequest.includes(name));
 const readme = path.join(root, 'tests/bench/README.md');
 

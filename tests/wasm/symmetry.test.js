@@ -98,7 +98,14 @@ describe('the limit', () => {
   test('is not told by two levels', () => {
     const { limit, levels } = minimized('torus', { levels: [0, 1] });
     const energy = levels[1].energy_reported;
-    expect(limit).toEqual({ status: 'too_few_levels', energy, order: NaN, error: NaN, lower: NaN });
+    expect(limit).toEqual({
+      status: 'too_few_levels',
+      energy,
+      order: NaN,
+      error: NaN,
+      lower: NaN,
+      caps_included: true,
+    });
   });
 
   test('is not told by levels that were not minimized', () => {

@@ -19,14 +19,15 @@ export const metricWords = { identity: 'Euclidean', sobolev: 'Sobolev', hessian:
  * @param {Limit} limit
  * @returns {{value: string, error: string, words: string}} `value` and `error` are empty if there is none, and `words` say why
  */
-export function limitWords({ status, energy, order, error, lower }) {
+export function limitWords({ status, energy, order, error, lower, caps_included: capsIncluded }) {
   /** @param {string} words */
   const none = (words) => ({ value: '', error: '', words });
   const observed = Number.isFinite(order) ? `observed order ${order.toFixed(1)}` : 'the last levels agree';
   switch (status) {
     case 'converging': {
       const cut = lower > energy - error ? `, but not below ${lowerBound(lower, BOUND_DIGITS)}, as no surface is` : '';
-      return { ...withError(energy, error, ERROR_DIGITS), words: observed + cut };
+      const caps = capsIncluded === false ? ', without the caps’ own error' : '';
+      return { ...withError(energy, error, ERROR_DIGITS), words: observed + caps + cut };
     }
     case 'too_few_levels':
       return none('it takes three levels');

@@ -132,6 +132,34 @@ TEST(Extrapolate, sees_the_last_three_levels_alone_where_the_order_keeps) {
   expect_same({levels[0].energy + 15 * (levels[0].energy - levels[1].energy), 0, 100, true});
 }
 
+TEST(Extrapolate, takes_an_order_that_was_observed_twice_for_a_lower_bound_of_the_order) {
+  for (const double order : {1.6, 2.0, 2.3}) {
+    const auto levels = sequence(100, 1, order, 4);
+    const LimitReport four = extrapolate(levels, true);
+    const LimitReport three = extrapolate({levels.begin() + 1, levels.end()}, true);
+    const double last = levels[3].energy, decrease = levels[2].energy - last;
+    EXPECT_EQ(four.energy, three.energy);
+    EXPECT_LE(std::abs(four.energy - 100), four.error) << order;
+    EXPECT_LE(four.energy - four.error, last - decrease / (std::exp2(1.5) - 1) + 1e-12);
+    EXPECT_GE(four.energy + four.error, last);
+    EXPECT_LT(four.error, three.error) << "where one order alone has been seen";
+  }
+}
+
+TEST(Extrapolate, tells_whether_the_caps_widened_with_the_last_level) {
+  auto levels = sequence(100, 1, 2);
+  EXPECT_TRUE(extrapolate(levels, true).caps_included) << "without caps";
+  const auto with = [&](int before, int last, bool third_order) {
+    levels[1].cap_rings = before;
+    levels[2].cap_rings = last;
+    return extrapolate(levels, third_order).caps_included;
+  };
+  EXPECT_TRUE(with(4, 8, true));
+  EXPECT_FALSE(with(4, 4, true));
+  EXPECT_FALSE(with(16, 16, true));
+  EXPECT_TRUE(with(4, 4, false)) << "which does not depend on caps";
+}
+
 TEST(Extrapolate, adds_what_minimization_and_quadrature_leave_of_the_last_two_levels) {
   auto levels = sequence(100, 1, 2);
   const double exact = extrapolate(levels, true).error;

@@ -240,10 +240,11 @@ TEST(Text, errors_name_the_member) {
       {with(R"("options": {"tolerance": "small"})"), "options.tolerance: expected a number"},
       {with(R"("options": {"symmetry": 1})"), "options.symmetry: expected true or false"},
       {with(R"("options": {"cap": "flatt"})"), "options.cap: 'flatt' is unknown, expected one of none, flat, smooth"},
+      {with(R"("options": {"cap_rings": 3})"), "options.cap_rings: 3 is none of 1, 2, 4, 8, 16"},
       {with(R"("options": {"cap": 2})"), "options.cap: expected one of none, flat, smooth"},
       {with(R"("options": {"levles": [0, 1]})"),
-       "options.'levles': unknown; known are cap, levels, max_iterations, tolerance, symmetry, metric, second_opinion, "
-       "accuracy"},
+       "options.'levles': unknown; known are cap, cap_rings, levels, max_iterations, tolerance, symmetry, metric, "
+       "second_opinion, accuracy"},
       {with(R"("constraints": {"volume": 1})"),
        "constraints.'volume': unknown; known are hold, free, pins, symmetric, closeness, boundary, holes"},
       {with(R"("start": {"level": -1, "points": []})"), "start.level: -1 is negative"},

@@ -52,8 +52,8 @@ class RingNetOver : public testing::TestWithParam<CapShape> {};
 
 TEST_P(RingNetOver, its_rings_equals_deep_subdivision) {
   // The net of a cap as the layout gathers it, each sector, all cells.
-  const int steps = GetParam() == CapShape::kTwoRing ? 2 : 3;
-  for (const int valence : {3, 5, 8}) {
+  const int steps = GetParam() == CapShape::kTwoRing ? 2 : GetParam() == CapShape::kFourRing ? 3 : 4;
+  for (const int valence : steps == 4 ? std::vector{3, 5} : std::vector{3, 5, 8}) {
     const Refined mesh = rough(trapezohedron(valence), steps, 0.05, 9);
     const PatchLayout layout(mesh.mesh, CapKind::kSmooth);
     const DeepSubdivision deep(mesh.mesh, mesh.control);
@@ -82,6 +82,7 @@ TEST_P(RingNetOver, its_rings_equals_deep_subdivision) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shape, RingNetOver, testing::Values(CapShape::kTwoRing, CapShape::kFourRing));
+INSTANTIATE_TEST_SUITE_P(ShapeSlow, RingNetOver, testing::Values(CapShape::kEightRing));
 
 TEST(DeepSubdivision, is_the_bspline_itself_where_the_mesh_is_regular) {
   // x = the grid coordinate is reproduced: a check of the second implementation on a 6 x 6 torus, away from its seam.

@@ -45,16 +45,44 @@ TEST(PatchLayout, a_patch_at_a_cap_starts_at_the_extraordinary_vertex) {
   }
 }
 
-TEST(PatchLayout, smooth_caps_take_as_many_rings_as_do_not_overlap_up_to_four) {
-  for (const Cage& cage : {cube(), trapezohedron(7)}) {
-    for (const auto& [steps, shape] : {std::pair{1, CapShape::kOneRing},
-                                       {2, CapShape::kTwoRing},
-                                       {3, CapShape::kFourRing},
-                                       {4, CapShape::kFourRing}}) {
-      const PatchLayout layout(refined(cage, steps).mesh, CapKind::kSmooth);
-      EXPECT_FALSE(layout.caps().empty());
-      for (const Cap& cap : layout.caps()) EXPECT_EQ(cap.shape, shape) << "level " << steps;
-    }
+/// The shapes of the caps of a valence.
+std::set<CapShape> shapes_of(const PatchLayout& layout, int valence) {
+  std::set<CapShape> shapes;
+  for (const Cap& cap : layout.caps()) {
+    if (cap.valence == valence) shapes.insert(cap.shape);
+  }
+  return shapes;
+}
+
+TEST(PatchLayout, smooth_caps_take_as_many_rings_as_do_not_overlap) {
+  for (const auto& [steps, shape] : {std::pair{1, CapShape::kOneRing},
+                                     {2, CapShape::kTwoRing},
+                                     {3, CapShape::kFourRing},
+                                     {4, CapShape::kEightRing},
+                                     {5, CapShape::kSixteenRing},
+                                     {6, CapShape::kSixteenRing}}) {
+    const PatchLayout layout(refined(cube(), steps).mesh, CapKind::kSmooth);
+    EXPECT_EQ(shapes_of(layout, 3), std::set{shape}) << "level " << steps;
+  }
+}
+
+TEST(PatchLayout, wide_caps_of_higher_valence_take_half_of_their_room) {
+  for (const auto& [steps, shape] : {std::pair{2, CapShape::kTwoRing},
+                                     {3, CapShape::kFourRing},
+                                     {4, CapShape::kFourRing},
+                                     {5, CapShape::kEightRing}}) {
+    const PatchLayout layout(refined(trapezohedron(7), steps).mesh, CapKind::kSmooth);
+    EXPECT_EQ(shapes_of(layout, 7), std::set{shape}) << "level " << steps;
+  }
+}
+
+TEST(PatchLayout, smooth_caps_take_no_more_rings_than_they_may) {
+  const PolygonMesh mesh = refined(cube(), 4).mesh;
+  for (const auto& [most, shape] : {std::pair{1, CapShape::kOneRing},
+                                    {2, CapShape::kTwoRing},
+                                    {4, CapShape::kFourRing},
+                                    {8, CapShape::kEightRing}}) {
+    EXPECT_EQ(shapes_of(PatchLayout(mesh, {CapKind::kSmooth, most}), 3), std::set{shape});
   }
 }
 
@@ -92,7 +120,7 @@ void expect_fits(const PatchLayout& layout, const Points& control) {
 }
 
 TEST(PatchLayout, extends_control_points_by_the_fit_of_each_sector) {
-  for (const int steps : {2, 3}) {
+  for (const int steps : {2, 3, 4}) {
     const Refined mesh = rough(trapezohedron(5), steps, 0.1, 2);
     expect_fits(PatchLayout(mesh.mesh, CapKind::kSmooth), mesh.control);
   }

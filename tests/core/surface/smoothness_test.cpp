@@ -60,7 +60,7 @@ TEST(Cap, flattening_is_c2_across_spokes) {
 }
 
 TEST(Cap, is_c2_between_the_faces_of_a_sector) {
-  for (const CapShape shape : {CapShape::kBare, CapShape::kTwoRing, CapShape::kFourRing}) {
+  for (const CapShape shape : {CapShape::kBare, CapShape::kTwoRing, CapShape::kFourRing, CapShape::kSixteenRing}) {
     for (const int valence : {3, 5, 12}) {
       const CapSector& cap = cap_sector(valence, shape);
       for (const double edge : {1.0, 2.0, 3.0}) {

@@ -72,9 +72,11 @@ inline double largest(const DerivativeRows& rows, int order) {
   return rows.middleRows(derivative_index(order, 0), order + 1).cwiseAbs().maxCoeff();
 }
 
-inline constexpr CapShape kAllShapes[] = {CapShape::kBare, CapShape::kFlat, CapShape::kOneRing, CapShape::kTwoRing,
-                                          CapShape::kFourRing};
-inline constexpr CapShape kPolynomialShapes[] = {CapShape::kOneRing, CapShape::kTwoRing, CapShape::kFourRing};
+inline constexpr CapShape kAllShapes[] = {CapShape::kBare,       CapShape::kFlat,     CapShape::kOneRing,
+                                          CapShape::kTwoRing,    CapShape::kFourRing, CapShape::kEightRing,
+                                          CapShape::kSixteenRing};
+inline constexpr CapShape kPolynomialShapes[] = {CapShape::kOneRing, CapShape::kTwoRing, CapShape::kFourRing,
+                                                 CapShape::kEightRing, CapShape::kSixteenRing};
 
 /// How far from the extraordinary vertex the cap's rim is, in sector coordinates.
 inline double rim(CapShape shape) { return rings(shape); }

@@ -26,6 +26,7 @@ export const defaultSettings = {
     curvedness_variation: 0,
   },
   cap: 'smooth',
+  cap_rings: 16,
   symmetry: true,
   levels: [0, 2],
   accuracy: null,
@@ -85,13 +86,13 @@ export function problemWith(settings) {
  */
 export function problemOf(source, settings, start) {
   if (source.kind === 'problem') return new TextDecoder().decode(source.text);
-  const { cap, symmetry, levels, accuracy, tolerance, max_iterations, constraints, fill } = settings;
+  const { cap, cap_rings, symmetry, levels, accuracy, tolerance, max_iterations, constraints, fill } = settings;
   return {
     cage: cageOf(source),
     terms: activeWeights(settings),
     ...(fill && { fill }),
     ...(Object.keys(constraints).length > 0 && { constraints }),
-    options: { cap, symmetry, levels, tolerance, max_iterations, ...(accuracy !== null && { accuracy }) },
+    options: { cap, cap_rings, symmetry, levels, tolerance, max_iterations, ...(accuracy !== null && { accuracy }) },
     ...(start && { start }),
   };
 }
@@ -137,7 +138,7 @@ export function settingsFrom(settings, { terms, fill, constraints = {}, options 
     accuracy: options?.accuracy ?? null,
     ...(single ? { functional: names[0] } : { functional: /** @type {const} */ ('blend'), weights }),
   };
-  for (const name of /** @type {const} */ (['cap', 'symmetry', 'levels', 'tolerance', 'max_iterations'])) {
+  for (const name of /** @type {const} */ (['cap', 'cap_rings', 'symmetry', 'levels', 'tolerance', 'max_iterations'])) {
     if (options && name in options) Object.assign(asked, { [name]: options[name] });
   }
   return { ...asked, origin: 'cage' };
