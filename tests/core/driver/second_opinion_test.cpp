@@ -47,7 +47,7 @@ OpinionReport opinion_of(const std::string& cage, CapKind cap, int level) {
 /// The tolerances are the errors of the reporting rule: the second opinion's own are far smaller, except for mvs and
 /// mvs_cross, whose integrands jump at umbilic points, of which a cube has many.
 TEST(SecondOpinion, agrees_with_the_main_evaluation_of_smooth_caps) {
-  for (const int level : {1, 2}) expect_agreement(opinion_of("cube", CapKind::kSmooth, level), 1e-7, 1e-3);
+  expect_agreement(opinion_of("cube", CapKind::kSmooth, 1), 1e-7, 1e-3);
   expect_agreement(opinion_of("two-3", CapKind::kSmooth, 1), 1e-5, 3e-3);
 }
 
@@ -55,15 +55,12 @@ TEST(SecondOpinion, agrees_without_caps_and_diverges_where_that_does) {
   expect_agreement(opinion_of("cube", CapKind::kNone, 1), 1e-8, 0);
 }
 
-TEST(SecondOpinion, agrees_with_flat_caps_where_integrands_do_not_jump_at_umbilics) {
+TEST(SecondOpinionSlow, agrees_with_flat_caps_where_integrands_do_not_jump_at_umbilics) {
   expect_agreement(opinion_of("cube", CapKind::kFlat, 1), 1e-6, 1e-4, false);
 }
 
-TEST(SecondOpinionSlow, agrees_on_the_frames_of_genus_two_and_of_the_octahedron) {
+TEST(SecondOpinionSlow, agrees_on_the_frame_of_genus_two_without_caps) {
   expect_agreement(opinion_of("two-3", CapKind::kNone, 1), 1e-5, 0);
-  expect_agreement(opinion_of("two-3", CapKind::kSmooth, 2), 1e-6, 3e-3);
-  expect_agreement(opinion_of("octahedron-frame", CapKind::kSmooth, 2), 1e-5, 1e-3);
-  expect_agreement(opinion_of("octahedron-frame", CapKind::kFlat, 1), 1e-4, 1e-3, false);
 }
 
 TEST(SecondOpinion, agrees_on_regular_surfaces_to_rounding_and_on_open_ones) {

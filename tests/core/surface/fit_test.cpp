@@ -98,44 +98,44 @@ TEST(Fit, is_symmetric_under_the_reflection_that_swaps_u_and_v) {
 /// Normal equations: integral over the fitted rings of |grad b|^2 (S - Q) m = 0 for every monomial m. The integrand is
 /// a polynomial of degree below 48 in each variable on each face, so that 24 points are exact; the fit's own, fewer
 /// ones are not, hence the tolerance.
-void expect_least_squares(CapShape shape) {
-  for (const int valence : {3, 5, 9}) {
-    const CapSector& cap = cap_sector(valence, shape);
-    const int count = coefficient_count(shape);
-    const RingNet& ring = cap.net();
-    const Eigen::Matrix<double, Eigen::Dynamic, 2> characteristic = ring.characteristic_net();
-    const Eigen::VectorXd net = Random(8).matrix<Eigen::VectorXd>(ring.size(), 1);
-    const Eigen::VectorXd coefficients = cap.fit() * net;  // of the one polynomial, in sector 0's coordinates
-    Eigen::VectorXd moments = Eigen::VectorXd::Zero(count), sizes = moments;
-    for (int cell = 0; cell < cell_count(shape); ++cell) {
-      const int i = cell % rings(shape), j = cell / rings(shape), ring_number = ring_of(shape, cell);
-      if (ring_number < design(shape).first_fit || ring_number > design(shape).last_fit) continue;
-      for (const Sample& sample : tensor_rule(24)) {
-        const DerivativeRows basis = ring.basis(sample.u + i, sample.v + j);
-        const Derivatives b = sector_basis(cap, sample.u + i, sample.v + j).col(ring.size());
-        const Eigen::RowVector2d xy = basis.row(0) * characteristic;
-        const double weight = sample.weight * (b[1] * b[1] + b[2] * b[2]);
-        const Eigen::RowVectorXd here = basis.row(0);
-        for (int sector = 0; sector < valence; ++sector) {
-          const double angle = 2 * std::numbers::pi * sector / valence, c = std::cos(angle), s = std::sin(angle);
-          const double x = c * xy[0] - s * xy[1], y = s * xy[0] + c * xy[1];
-          const double residual = turned(ring, here, sector).dot(net) - polynomial(coefficients, x, y);
-          for (int m = 0; m < count; ++m) {
-            const double test = polynomial(Eigen::VectorXd::Unit(count, m), x, y);
-            moments[m] += weight * residual * test;
-            sizes[m] += weight * std::abs(residual * test);
-          }
+void expect_least_squares(CapShape shape, int valence) {
+  const CapSector& cap = cap_sector(valence, shape);
+  const int count = coefficient_count(shape);
+  const RingNet& ring = cap.net();
+  const Eigen::Matrix<double, Eigen::Dynamic, 2> characteristic = ring.characteristic_net();
+  const Eigen::VectorXd net = Random(8).matrix<Eigen::VectorXd>(ring.size(), 1);
+  const Eigen::VectorXd coefficients = cap.fit() * net;  // of the one polynomial, in sector 0's coordinates
+  Eigen::VectorXd moments = Eigen::VectorXd::Zero(count), sizes = moments;
+  for (int cell = 0; cell < cell_count(shape); ++cell) {
+    const int i = cell % rings(shape), j = cell / rings(shape), ring_number = ring_of(shape, cell);
+    if (ring_number < design(shape).first_fit || ring_number > design(shape).last_fit) continue;
+    for (const Sample& sample : tensor_rule(24)) {
+      const DerivativeRows basis = ring.basis(sample.u + i, sample.v + j);
+      const Derivatives b = sector_basis(cap, sample.u + i, sample.v + j).col(ring.size());
+      const Eigen::RowVector2d xy = basis.row(0) * characteristic;
+      const double weight = sample.weight * (b[1] * b[1] + b[2] * b[2]);
+      const Eigen::RowVectorXd here = basis.row(0);
+      for (int sector = 0; sector < valence; ++sector) {
+        const double angle = 2 * std::numbers::pi * sector / valence, c = std::cos(angle), s = std::sin(angle);
+        const double x = c * xy[0] - s * xy[1], y = s * xy[0] + c * xy[1];
+        const double residual = turned(ring, here, sector).dot(net) - polynomial(coefficients, x, y);
+        for (int m = 0; m < count; ++m) {
+          const double test = polynomial(Eigen::VectorXd::Unit(count, m), x, y);
+          moments[m] += weight * residual * test;
+          sizes[m] += weight * std::abs(residual * test);
         }
       }
     }
-    EXPECT_LT(moments.cwiseQuotient(sizes).cwiseAbs().maxCoeff(), 1e-8) << "valence " << valence;
   }
+  EXPECT_LT(moments.cwiseQuotient(sizes).cwiseAbs().maxCoeff(), 1e-8) << "valence " << valence;
 }
 
 TEST(FitSlow, is_orthogonal_to_its_residual_by_another_quadrature) {
-  for (const CapShape shape : {CapShape::kTwoRing, CapShape::kFourRing, CapShape::kEightRing, CapShape::kSixteenRing}) {
-    expect_least_squares(shape);
+  for (const CapShape shape : {CapShape::kTwoRing, CapShape::kFourRing}) {
+    for (const int valence : {3, 5, 9}) expect_least_squares(shape, valence);
   }
+  expect_least_squares(CapShape::kEightRing, 5);
+  expect_least_squares(CapShape::kSixteenRing, 3);
 }
 
 }  // namespace
