@@ -26,10 +26,11 @@ ExactEnergy sphere_energy(const Weights& weights) {
 
 ExactEnergy torus_energy(const CatalogFunctional& functional) {
   const TorusMinimizer torus = torus_minimizer(functional.weights);
-  if (!torus.attained) return {torus.energy, 0, false, "infimum over tori of revolution, as they become thin"};
+  if (!torus.attained) return {torus.energy, 0, false, "infimum over round tori, as they become thin"};
   if (functional.name == "bending") return {torus.energy, 0, true, "the Clifford torus: 8 pi^2"};
   if (torus.energy == 0) return {0, 0, true, "tori of revolution"};
-  return {torus.energy, 0, true, fmt::format("least over tori of revolution, at r/R = {:.6f}", torus.ratio)};
+  return {torus.energy, 0, true,
+          fmt::format("the least of round tori, r/R = {:.6f}; other profiles have a little less", torus.ratio)};
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ std::optional<ExactEnergy> lawson_bending(int genus) {
   const std::string name = fmt::format("Lawson's xi_{{{},1}}", genus);
   if (genus == 2) return ExactEnergy{bending(kGenusTwoArea), 4e-6, true, name};
   if (genus == 3) return ExactEnergy{kGenusThreeBending, 5e-5, true, name};
-  if (genus < 5) return std::nullopt;
+  if (genus < 4) return std::nullopt;
   const double t = 0.5 / (genus + 1);
   const double area = 8 * kPi * (1 - std::numbers::ln2 * t - 2.25 * kZeta3 * t * t * t);
   return ExactEnergy{bending(area), 32 * kPi * kFifthCoefficient * std::pow(t, 5), true,

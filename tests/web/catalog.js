@@ -51,6 +51,7 @@ export function entry(shape, functional, more = {}) {
       metrics: 3,
       quadrature: 0,
       evaluable: true,
+      cap_rings: 4,
       credible: true,
       thickened: false,
       predicted_decrease: 1e-5,
@@ -97,6 +98,7 @@ export function catalog() {
 /** @returns {Required<Omit<import('../../wasm/types.js').Options, 'accuracy' | 'second_opinion'>>} */
 const options = () => ({
   cap: 'smooth',
+  cap_rings: 16,
   levels: [0, 4],
   max_iterations: 500,
   tolerance: 1e-7,

@@ -169,9 +169,13 @@ describe('the limit of the levels', () => {
       order: 1.86,
       error: 36.2,
       lower: 3917.4 - 36.2,
+      caps_included: true,
     };
     expect(limitWords(limit)).toEqual({ value: '3917', error: '36', words: 'observed order 1.9' });
     expect(limitWords({ ...limit, order: NaN }).words).toBe('the last levels agree');
+    expect(limitWords({ ...limit, caps_included: false }).words).toBe(
+      'observed order 1.9, without the caps’ own error',
+    );
   });
 
   test('has a bar that ends where no surface is', () => {
@@ -181,13 +185,15 @@ describe('the limit of the levels', () => {
       order: 2,
       error: 0.5,
       lower: 8 * Math.PI,
+      caps_included: true,
     };
     expect(limitWords(limit)).toEqual({
       value: '25.20',
       error: '0.50',
       words: 'observed order 2.0, but not below 25.13274, as no surface is',
     });
-    const { lower, ...earlier } = limit;
+    const { lower, caps_included: capsIncluded, ...earlier } = limit;
+    expect(capsIncluded).toBe(true);
     expect(lower).toBeGreaterThan(limit.energy - limit.error);
     // The limit of a report that an earlier version wrote.
     expect(limitWords(/** @type {typeof limit} */ (earlier)).words).toBe('observed order 2.0');

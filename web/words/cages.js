@@ -11,6 +11,10 @@ const polyhedra = {
   cube: [8, 12],
   octahedron: [6, 12],
   dodecahedron: [20, 30],
+  icosahedron: [12, 30],
+  cuboctahedron: [12, 24],
+  'triangular-prism': [6, 9],
+  'pentagonal-prism': [10, 15],
   'hexagonal-prism': [12, 18],
   'truncated-tetrahedron': [12, 18],
 };

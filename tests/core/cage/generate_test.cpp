@@ -43,7 +43,7 @@ std::map<int, int> face_sizes(const Cage& cage) {
 }  // namespace
 
 TEST(GenerateCage, every_cage_is_valid_outward_and_of_the_genus_it_is_listed_with) {
-  ASSERT_EQ(cage_names().size(), 23u);
+  ASSERT_EQ(cage_names().size(), 27u);
   for (const CageName& name : cage_names()) {
     for (const FrameFamily family : {FrameFamily::kHub, FrameFamily::kFlag}) {
       CageOptions options;
@@ -71,6 +71,10 @@ TEST(GenerateCage, a_frame_has_genus_edges_minus_vertices_plus_1) {
   EXPECT_EQ(genus.at("hexagonal-prism-frame"), 18 - 12 + 1);
   EXPECT_EQ(genus.at("truncated-tetrahedron-frame"), 18 - 12 + 1);
   EXPECT_EQ(genus.at("dodecahedron-frame"), 30 - 20 + 1);
+  EXPECT_EQ(genus.at("triangular-prism-frame"), 9 - 6 + 1);
+  EXPECT_EQ(genus.at("pentagonal-prism-frame"), 15 - 10 + 1);
+  EXPECT_EQ(genus.at("cuboctahedron-frame"), 24 - 12 + 1);
+  EXPECT_EQ(genus.at("icosahedron-frame"), 30 - 12 + 1);
   EXPECT_EQ(genus.at("cube"), 0);
   EXPECT_EQ(genus.at("torus"), 1);
 }

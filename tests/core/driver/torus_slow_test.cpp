@@ -56,7 +56,7 @@ TEST(TorusSlow, meshes_approach_the_exact_minimizer_of_a_blend_with_the_level) {
     for (const Minimized& level : levels) {
       const auto& found = level.energies.functionals;
       const double left = sum(found[kBending], found[kMvsCross]) - exact.energy;
-      EXPECT_GT(left, 0) << "no torus has less";
+      EXPECT_GT(left, 0) << "these levels do not reach the best of round tori yet";
       EXPECT_LT(left, 0.5 * gap);
       gap = left;
     }

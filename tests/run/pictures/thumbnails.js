@@ -34,6 +34,10 @@ const views = {
   'cube-frame': [30, 33],
   'octahedron-frame': [100, 25],
   'dodecahedron-frame': [30, 35],
+  'icosahedron-frame': [30, 33],
+  'cuboctahedron-frame': [30, 33],
+  'triangular-prism-frame': [30, 30],
+  'pentagonal-prism-frame': [30, 30],
   'hexagonal-prism-frame': [30, 30],
   'truncated-tetrahedron-frame': [100, 25],
 };

@@ -21,7 +21,15 @@ export function entry(shape, functional, more = {}) {
     paper: null,
     exact: null,
     group: { name: 'D3h', order: 12 },
-    settings: { cap: 'smooth', levels: [0, 3], max_iterations: 1000, tolerance: 1e-6, symmetry: true, metric: 'auto' },
+    settings: {
+      cap: 'smooth',
+      cap_rings: 16,
+      levels: [0, 3],
+      max_iterations: 1000,
+      tolerance: 1e-6,
+      symmetry: true,
+      metric: 'auto',
+    },
     energies: {
       bending: 112.76693,
       willmore: 21.9,

@@ -64,7 +64,7 @@ describe('an energy', () => {
     ["Lawson's xi_{11,1}, in 1/(g+1) to third order", 'Lawson’s ξ₁₁,₁, in 1/(g+1) to third order'],
     ['the Clifford torus: 8 pi^2', 'the Clifford torus: 8π²'],
     ['the energy changes by -24 % from level 1 to 2', 'the energy changes by −24 % from level 1 to 2'],
-    ['least over tori of revolution, at r/R = 0.241309', 'least over tori of revolution, at r/R = 0.241309'],
+    ['the least of round tori, r/R = 0.241309', 'the least of round tori, r/R = 0.241309'],
     ['the second-order term', 'the second-order term'],
   ])('has its reason and source in words, where %p is set %p', (text, expected) => {
     expect(typeset(text)).toBe(expected);

@@ -114,6 +114,7 @@ export function levelReport(level, more = {}) {
     metrics: 1,
     parametrization_stages: 0,
     evaluable: true,
+    cap_rings: 4,
     credible: true,
     thickened: false,
     quadrature: 0,
@@ -123,7 +124,14 @@ export function levelReport(level, more = {}) {
 }
 
 /** @returns {import('../../../wasm/types.js').Limit} of too few levels */
-export const noLimit = () => ({ status: 'too_few_levels', energy: 120.1, order: NaN, error: NaN, lower: NaN });
+export const noLimit = () => ({
+  status: 'too_few_levels',
+  energy: 120.1,
+  order: NaN,
+  error: NaN,
+  lower: NaN,
+  caps_included: true,
+});
 
 /** @returns {import('../../../wasm/types.js').CertificateReport} */
 export const certificate = () => ({ level: 2, unknowns: 1146, gauge: 7, tau: 0.001, negative: 6 });

@@ -23,7 +23,7 @@
  * @property {FunctionalName | 'blend'} functional
  * @property {Record<FunctionalName, number>} weights
  * @property {CapName} cap
- * @property {number} cap_rings the most rings of faces that a smooth cap takes
+ * @property {1|2|4|8|16} cap_rings the most rings of faces that a smooth cap takes
  * @property {boolean} symmetry whether the surface keeps the symmetry of the cage
  * @property {[number, number]} levels Catmull-Clark steps from the cage
  * @property {number | null} accuracy the part of the limit within which it is to be known, by as many levels as that takes
