@@ -22,6 +22,12 @@ constexpr int kHubLevels = 4, kThirdOrderHubLevels = 5, kLargestGenusInDetail = 
 constexpr int kVanishingLevels = 2;
 constexpr int kVanishingIterations = 200;
 
+/// Whether the symmetry takes each arm to each other, so that few patches of a level are evaluated.
+bool has_equal_arms(const CatalogShape& shape) {
+  return shape.junctions == 2 || shape.name == "tetrahedron-frame" || shape.name == "cube-frame" ||
+         shape.name == "octahedron-frame";
+}
+
 /// Whether the functional's minimizers are expected to converge, as in the paper.
 bool principal(const CatalogFunctional& functional) {
   return functional.name == "bending" || functional.name == "mvs_cross";
@@ -48,7 +54,8 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
   } else {
     settings.certified_faces = kMaxCertifiedFaces;
   }
-  const bool in_detail = shape.frame() && functional.name == "mvs_cross" && shape.genus <= kLargestGenusInDetail;
+  const bool in_detail =
+      functional.name == "mvs_cross" && shape.genus <= kLargestGenusInDetail && has_equal_arms(shape);
   if (in_detail && last_level > levels) settings.shown_level = levels++;
   settings.run.last_level = std::min(levels, last_level);
   if (shape.frame() && principal(functional)) {

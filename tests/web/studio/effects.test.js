@@ -117,7 +117,14 @@ describe('the worker is told', () => {
         problem: {
           cage: { generator: 'two-3', family: 'flag', thickness: 1 },
           terms: { mvs_cross: 1 },
-          options: { cap: 'smooth', symmetry: true, levels: [0, 2], tolerance: 1e-6, max_iterations: 1000 },
+          options: {
+            cap: 'smooth',
+            cap_rings: 16,
+            symmetry: true,
+            levels: [0, 2],
+            tolerance: 1e-6,
+            max_iterations: 1000,
+          },
         },
       },
     ]);
