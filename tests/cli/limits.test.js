@@ -69,6 +69,7 @@ describe('the limit', () => {
       order: expect.any(Number),
       error: expect.any(Number),
       lower: expect.any(Number),
+      caps_included: true,
     });
     expect(Math.abs(limit.energy - 8 * Math.PI ** 2)).toBeLessThan(limit.error);
     expect(limit.lower).toBeCloseTo(8 * Math.PI ** 2, 12); // where the bar is cut

@@ -80,6 +80,7 @@ describe('a run', () => {
       parametrization_stages: 0,
       quadrature: 0,
       evaluable: true,
+      cap_rings: expect.any(Number),
       credible: true,
       thickened: false,
       predicted_decrease: expect.any(Number),

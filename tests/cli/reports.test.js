@@ -79,6 +79,7 @@ describe('evaluate', () => {
       'instruction_set',
       'cage',
       'cap',
+      'cap_rings',
       'level',
       'patches',
       'energies',
