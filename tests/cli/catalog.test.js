@@ -30,7 +30,7 @@ beforeAll(() => expect(catalog('a', '--threads', '2')).toMatchObject({ code: 0, 
 describe('a catalog', () => {
   test('has an entry for each shape and functional, a file with its report, and the thin and fat starts', () => {
     const { shapes, functionals, entries, starts } = stored();
-    expect([shapes.length, functionals.length]).toEqual([12, 6]);
+    expect([shapes.length, functionals.length]).toEqual([18, 6]);
     expect(entries.map((/** @type {any} */ e) => [e.shape, e.functional, e.status])).toEqual([
       ['two-3', 'bending', 'upper_bound'],
       ['two-3', 'mvs_cross', 'upper_bound'],
