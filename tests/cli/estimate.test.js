@@ -40,7 +40,9 @@ test('tells each level and all of them, and runs nothing', () => {
 test('warns of a run that takes long, and names its longest level', () => {
   const { code, out } = estimate('large.obj', '--functional', 'mvs_cross', '--levels', '0..5', '--no-symmetry');
   expect(code).toBe(0);
-  expect(out).toMatch(/^note: this will take about (\d+ (min|h)|an hour), of which level 5 takes about (\d+ (min|h)|an hour)$/m);
+  expect(out).toMatch(
+    /^note: this will take about (\d+ (min|h)|an hour), of which level 5 takes about (\d+ (min|h)|an hour)$/m,
+  );
 });
 
 test('refuses what does not fit into memory, as a run would', () => {
