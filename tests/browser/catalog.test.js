@@ -174,7 +174,7 @@ describe('the rows', () => {
     await page.getByLabel('Symmetry').selectOption(group.name);
     expect(await rows(page)).toContain('cube-frame');
     await page.getByLabel('Search shapes').fill('octahedron');
-    expect(await rows(page)).toEqual(['octahedron-frame']);
+    expect(await rows(page)).toEqual(['octahedron-frame', 'cuboctahedron-frame']);
     await page.getByLabel('Search shapes').fill('no such shape');
     await page.getByText('No shape is like that.').waitFor();
     await page.getByRole('button', { name: 'Clear' }).click();
@@ -222,7 +222,7 @@ describe('an entry', () => {
     await dialog.waitFor();
     expect(await search(page)).toBe('?entry=two-3.bending');
     const entry = catalog().entries.find(({ shape, functional }) => shape === 'two-3' && functional === 'bending');
-    expect(await dialog.locator('table.energies tr').count()).toBe(7);
+    expect(await dialog.locator('table.energies tr').count()).toBe(9); // eight functionals and the Gaussian curvature
     expect(await dialog.locator('table.levels tbody tr').count()).toBe(entry?.levels.length);
     expect(await dialog.locator('table.energies .objective td').innerText()).toBe(
       entry?.energies.bending?.toPrecision(8),
