@@ -134,7 +134,7 @@ describe('surfaces side by side', () => {
         least: [...row.querySelectorAll('td')].map((cell) => cell.querySelector('.least') !== null),
       })),
     );
-    expect(rows).toHaveLength(6);
+    expect(rows).toHaveLength(8);
     for (const { values, least } of rows) {
       const numbers = values.map(number);
       expect(least.filter(Boolean)).toHaveLength(1);
@@ -212,7 +212,7 @@ describe('surfaces side by side', () => {
     await page.getByText('shows no WebGL 2').waitFor();
     expect(await page.locator('.place img').nth(1).getAttribute('src')).toBe('./catalog/pictures/two-3.mvs_cross.webp');
     await page.waitForFunction(() => [...document.images].filter((image) => image.naturalWidth > 0).length === 2);
-    expect(await page.locator('#energies .least').count()).toBe(6);
+    expect(await page.locator('#energies .least').count()).toBe(8);
     expect(page.workers()).toHaveLength(0);
     expect(errors).toEqual([]);
     await page.screenshot({ path: path.join(screenshots, 'compare-pictures.png'), fullPage: true });
