@@ -35,7 +35,8 @@
  * @typedef {object} Options
  * @property {CapName} [cap] default 'smooth'
  * @property {[number, number]} [levels] first and last, in Catmull-Clark steps from the cage; default [0, 2]
- * @property {1|2|4|8|16} [cap_rings] the most rings of faces that a smooth cap takes; default 16
+ * @property {1|2|4|8|16} [cap_rings] the most rings of faces that a smooth cap takes; default 4. More are
+ *   for coarse cages that are refined
  * @property {number} [max_iterations] per level; default 1000
  * @property {number} [tolerance] default 1e-6
  * @property {number} [accuracy] ends with the first level from which the limit is known within this part of it

@@ -45,6 +45,7 @@ const Named& called(const std::vector<Named>& list, std::string_view name) {
 EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional& functional, int last_level) {
   EntrySettings settings;
   settings.run.weights = functional.weights;
+  settings.run.cap_rings = kMostCapRings;  // coarse cages, which are refined
   int levels = third_order(functional.weights) || settles_slowly(shape) ? 4 : 3;
   if (functional.name == "mvs") settings.run.max_iterations = kUnsettledIterations;
   const std::optional<ExactEnergy> exact = exact_energy(shape, functional);

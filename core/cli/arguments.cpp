@@ -45,7 +45,7 @@ const char* const kCapWords =
 
 const char* const kCapRingsWords =
     "The most rings of faces that a smooth cap takes: 1, 2, 4, 8 or 16; two widths\n"
-    "tell how much an energy depends on it [16]";
+    "tell how much an energy depends on it. More than 4 are for coarse cages [4]";
 
 Result<CapKind> parse_cap(const std::string& name) { return called<CapKind>(name); }
 Result<int> parse_cap_rings(const std::string& text) {

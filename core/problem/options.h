@@ -15,12 +15,12 @@ namespace umbilic {
 struct RunOptions {
   Weights weights{};  ///< in the text form these are the problem's terms, outside its options
   CapKind cap = CapKind::kSmooth;
-  int cap_rings = kMostCapRings;  ///< a power of 2 up to kMostCapRings
-  int first_level = 0;            ///< >= 0, Catmull-Clark steps from the cage to the first mesh whose points are moved
-  int last_level = 2;             ///< >= first_level; limits: see Run::create
-  int max_iterations = 1000;      ///< >= 0, per level
-  double tolerance = 1e-6;        ///< >= 0: see StopReason::kConverged
-  bool symmetry = true;           ///< whether the surface keeps the cage's symmetry
+  int cap_rings = kUsualCapRings;  ///< a power of 2 up to kMostCapRings
+  int first_level = 0;             ///< >= 0, Catmull-Clark steps from the cage to the first mesh whose points are moved
+  int last_level = 2;              ///< >= first_level; limits: see Run::create
+  int max_iterations = 1000;       ///< >= 0, per level
+  double tolerance = 1e-6;         ///< >= 0: see StopReason::kConverged
+  bool symmetry = true;            ///< whether the surface keeps the cage's symmetry
   MetricChoice metric = MetricChoice::kAutomatic;
   bool second_opinion = false;  ///< whether the report has the energies as another way of computing finds them, too
   std::optional<double> accuracy{};  ///< in (0, 1): chooses the last level and the tolerance, see Run::create
@@ -30,7 +30,9 @@ struct RunOptions {
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("cap", self.cap, "Surface near extraordinary vertices");
-    visit("cap_rings", self.cap_rings, "The most rings of faces that a smooth cap takes: 1, 2, 4, 8 or 16");
+    visit("cap_rings", self.cap_rings,
+          "The most rings of faces that a smooth cap takes: 1, 2, 4, 8 or 16; more than 4 only where faces come from "
+          "refining");
     visit.pair("levels", self.first_level, self.last_level,
                "Catmull-Clark steps from the cage to the first and to the last mesh whose points are moved");
     visit("max_iterations", self.max_iterations, "Of each level");

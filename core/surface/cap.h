@@ -13,11 +13,11 @@
 /// b       blend (eq. 8 for `kFlat`)
 /// Q       plane or polynomial that replaces S at the extraordinary vertex
 ///
-/// A smooth cap takes up to sixteen rings of faces, as there is room (surface/layout.h). Wider is better: beyond its R
-/// rings the surface is S, and in ring k around an extraordinary vertex splines of mesh size h reproduce the gradient
-/// of the curvature only to O(kappa / (k^2 h)), since their sectors meet at the wrong angle. Its square sums to
-/// O(kappa^2 / R^2), an error of third-order energies that does not vanish with h, but with rings that double from
-/// level to level. `npm run bench -- caps` shows it.
+/// A smooth cap takes up to four rings of faces, or sixteen where it is asked to, as there is room (surface/layout.h).
+/// Wider is better: beyond its R rings the surface is S, and in ring k around an extraordinary vertex splines of mesh
+/// size h reproduce the gradient of the curvature only to O(kappa / (k^2 h)), since their sectors meet at the wrong
+/// angle. Its square sums to O(kappa^2 / R^2), an error of third-order energies that does not vanish with h, but with
+/// rings that double from level to level. `npm run bench -- caps` shows it.
 #pragma once
 
 #include <algorithm>

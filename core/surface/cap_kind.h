@@ -13,8 +13,10 @@ enum class CapKind {
   kSmooth,  ///< blended over up to sixteen rings with a polynomial in the characteristic map
 };
 
-/// The most rings of faces that a smooth cap takes.
-inline constexpr int kMostCapRings = 16;
+/// The most rings of faces that a smooth cap can take, and does take unless asked. Wider caps are for meshes whose
+/// faces come from subdivision: only there S is nearly a polynomial of the characteristic map so far from the vertex. A
+/// fine mesh of another kind they would change.
+inline constexpr int kMostCapRings = 16, kUsualCapRings = 4;
 
 /// "none", "flat", "smooth".
 constexpr std::string_view name_of(CapKind cap) {
@@ -31,7 +33,7 @@ struct CapChoice {
   CapKind kind;
   int most_rings;
 
-  constexpr CapChoice(CapKind of_kind = CapKind::kSmooth, int rings = kMostCapRings)
+  constexpr CapChoice(CapKind of_kind = CapKind::kSmooth, int rings = kUsualCapRings)
       : kind(of_kind), most_rings(rings) {}
   constexpr operator CapKind() const { return kind; }
 };

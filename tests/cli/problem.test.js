@@ -37,7 +37,7 @@ describe('a problem', () => {
       constraints: {},
       options: {
         cap: 'flat',
-        cap_rings: 16,
+        cap_rings: 4,
         levels: [1, 3],
         max_iterations: 1000,
         tolerance: 1e-6,

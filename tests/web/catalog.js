@@ -98,7 +98,7 @@ export function catalog() {
 /** @returns {Required<Omit<import('../../wasm/types.js').Options, 'accuracy' | 'second_opinion'>>} */
 const options = () => ({
   cap: 'smooth',
-  cap_rings: 16,
+  cap_rings: 4,
   levels: [0, 4],
   max_iterations: 500,
   tolerance: 1e-7,

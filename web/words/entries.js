@@ -129,10 +129,11 @@ export function commands({ name, cage }, { weights }, { settings }) {
   const objective = sum.length > 1 ? `--weights ${sum.join(',')}` : `--functional ${Object.keys(weights)[0]}`;
   const tolerance = settings.tolerance === 1e-6 ? '' : ` --tolerance ${settings.tolerance}`;
   const iterations = settings.max_iterations === 1000 ? '' : ` --max-iterations ${settings.max_iterations}`;
+  const rings = settings.cap_rings === 4 ? '' : ` --cap-rings ${settings.cap_rings}`;
   const file = `${name}.obj`;
   return [
     `umbilic cage ${cage.generator}${family}${thickness} -o ${file}`,
-    `umbilic optimize ${file} ${objective} --levels ${settings.levels.join('..')}${tolerance}${iterations}`,
+    `umbilic optimize ${file} ${objective} --levels ${settings.levels.join('..')}${rings}${tolerance}${iterations}`,
   ].join('\n');
 }
 

@@ -120,7 +120,7 @@ export const caps = [
   {
     id: 'smooth',
     name: 'Smooth',
-    meaning: 'Blends in a polynomial over up to sixteen rings around each extraordinary vertex. Energies converge.',
+    meaning: 'Blends in a polynomial over up to four rings around each extraordinary vertex. Energies converge.',
   },
   {
     id: 'flat',

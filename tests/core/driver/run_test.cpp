@@ -63,7 +63,6 @@ TEST(Run, takes_one_evaluation_or_less_per_unit_and_ends_level_by_level) {
 TEST(Run, goes_on_with_a_level_that_has_converged_above_the_one_before) {
   RunOptions options = minimizing("bending=1", 0, 4);
   options.tolerance = 1;  // so lax that levels would end with the caps that they begin with
-  options.cap_rings = 4;  // which do not widen with the last level
   const umbilic::Run run = finished(*generate_cage("cube"), options);
   const std::vector<LevelReport>& levels = run.levels();
   ASSERT_EQ(levels.size(), 5u);

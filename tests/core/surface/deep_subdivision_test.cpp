@@ -55,7 +55,7 @@ TEST_P(RingNetOver, its_rings_equals_deep_subdivision) {
   const int steps = GetParam() == CapShape::kTwoRing ? 2 : GetParam() == CapShape::kFourRing ? 3 : 4;
   for (const int valence : steps == 4 ? std::vector{3, 5} : std::vector{3, 5, 8}) {
     const Refined mesh = rough(trapezohedron(valence), steps, 0.05, 9);
-    const PatchLayout layout(mesh.mesh, CapKind::kSmooth);
+    const PatchLayout layout(mesh.mesh, {CapKind::kSmooth, kMostCapRings});
     const DeepSubdivision deep(mesh.mesh, mesh.control);
     for (const PatchSet& set : layout.sets()) {
       if (set.kind.regular()) continue;

@@ -61,7 +61,7 @@ TEST(PatchLayout, smooth_caps_take_as_many_rings_as_do_not_overlap) {
                                      {4, CapShape::kEightRing},
                                      {5, CapShape::kSixteenRing},
                                      {6, CapShape::kSixteenRing}}) {
-    const PatchLayout layout(refined(cube(), steps).mesh, CapKind::kSmooth);
+    const PatchLayout layout(refined(cube(), steps).mesh, {CapKind::kSmooth, kMostCapRings});
     EXPECT_EQ(shapes_of(layout, 3), std::set{shape}) << "level " << steps;
   }
 }
@@ -71,13 +71,14 @@ TEST(PatchLayout, wide_caps_of_higher_valence_take_half_of_their_room) {
                                      {3, CapShape::kFourRing},
                                      {4, CapShape::kFourRing},
                                      {5, CapShape::kEightRing}}) {
-    const PatchLayout layout(refined(trapezohedron(7), steps).mesh, CapKind::kSmooth);
+    const PatchLayout layout(refined(trapezohedron(7), steps).mesh, {CapKind::kSmooth, kMostCapRings});
     EXPECT_EQ(shapes_of(layout, 7), std::set{shape}) << "level " << steps;
   }
 }
 
 TEST(PatchLayout, smooth_caps_take_no_more_rings_than_they_may) {
   const PolygonMesh mesh = refined(cube(), 4).mesh;
+  EXPECT_EQ(shapes_of(PatchLayout(mesh, CapKind::kSmooth), 3), std::set{CapShape::kFourRing});
   for (const auto& [most, shape] : {std::pair{1, CapShape::kOneRing},
                                     {2, CapShape::kTwoRing},
                                     {4, CapShape::kFourRing},

@@ -23,7 +23,7 @@ export function entry(shape, functional, more = {}) {
     group: { name: 'D3h', order: 12 },
     settings: {
       cap: 'smooth',
-      cap_rings: 16,
+      cap_rings: 4,
       levels: [0, 3],
       max_iterations: 1000,
       tolerance: 1e-6,

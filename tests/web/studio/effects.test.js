@@ -119,7 +119,7 @@ describe('the worker is told', () => {
           terms: { mvs_cross: 1 },
           options: {
             cap: 'smooth',
-            cap_rings: 16,
+            cap_rings: 4,
             symmetry: true,
             levels: [0, 2],
             tolerance: 1e-6,

@@ -26,7 +26,7 @@ export const defaultSettings = {
     curvedness_variation: 0,
   },
   cap: 'smooth',
-  cap_rings: 16,
+  cap_rings: 4,
   symmetry: true,
   levels: [0, 2],
   accuracy: null,
