@@ -94,7 +94,10 @@ LevelSize level_size_after(LevelSize size, int level, int required) {
   const int evaluated = std::max(level, required);
   const double refined = std::pow(4., evaluated - size.evaluated);
   for (int step = size.evaluated; step < evaluated; ++step) {
-    for (CapCorners& corners : size.corners) corners.shape = wider(corners);
+    for (CapCorners& corners : size.corners) {
+      const CapShape shape = wider(corners);
+      if (rings(shape) <= size.cap.most_rings) corners.shape = shape;
+    }
   }
   // Three for each free face, but for those along the edge of what is free, or more where the edge is a mirror: a strip
   // as long as the edge, which a step doubles.

@@ -34,7 +34,7 @@ struct LevelSize {
   double unknowns = 0;
   int order = 1;  ///< of the symmetry
   int genus = 0;  ///< the largest of a component's
-  CapKind cap = CapKind::kSmooth;
+  CapChoice cap;
   std::vector<CapCorners> corners;
 
   /// Patches that are evaluated: one of each orbit of free faces.

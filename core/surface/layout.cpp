@@ -159,7 +159,8 @@ std::vector<CapShape> widest_shapes(const PolygonMesh& mesh, const std::vector<i
   std::vector<std::size_t> growing(extraordinary.size());
   std::iota(growing.begin(), growing.end(), 0);
   std::vector<Reach> reaches(extraordinary.size());
-  for (int wider = 2; wider <= 2 * kMostCapRings && !growing.empty(); wider *= 2) {
+  const int most_room = most_rings > 4 ? 2 * most_rings : most_rings;  // some use half of it
+  for (int wider = 2; wider <= most_room && !growing.empty(); wider *= 2) {
     for (const std::size_t i : growing) reaches[i] = reach_of(mesh, extraordinary[i], wider);
     const Room room(mesh, reaches, held);
     std::erase_if(growing, [&](std::size_t i) { return !reaches[i].whole || !room.for_reach(reaches[i]); });
