@@ -162,6 +162,7 @@
  * @property {StopReason} stop
  * @property {Exclude<MetricName, 'auto'>} metric
  * @property {number} metrics how many times the metric was built
+ * @property {number} factorizations how many matrices were factored for it, also where one was not positive definite
  * @property {number} parametrization_stages in which a term that keeps the parametrization even fell to 0; 0 without it
  * @property {number} quadrature by how many steps the quadrature rules were refined because the surface exploited their
  *   error

@@ -173,6 +173,7 @@ void Level::prepare_metric() {
 }
 
 void Level::make_metric() {
+  factorizations_ = factorizations();
   if (metric_choice_ == MetricChoice::kSobolev) {
     own_metric_ = std::make_unique<SobolevMetric>(surface_.energy(), unknowns_, gauge_, surface_.closeness());
   } else {
@@ -335,6 +336,7 @@ LevelReport Level::report(const EnergyReport& energies) const {
   report.stop = StopReason::kCancelled;
   report.metric = metric_choice_;
   report.metrics = before_.metrics + metrics_;
+  report.factorizations = before_.factorizations + factorizations();
   report.parametrization_stages = before_.stages + stages_.begun();
   report.quadrature = options_.quadrature;
   report.iterations = iterations();

@@ -97,6 +97,7 @@ class Level {
   LevelReport report(const EnergyReport& energies) const;
 
  private:
+  int factorizations() const { return factorizations_ + (own_metric_ ? own_metric_->factorizations() : 0); }
   const RefinedCage& start_with_held_points();
   Eigen::VectorXd unknowns_of(const Points& control) const;
   void prepare();
@@ -137,6 +138,7 @@ class Level {
   std::optional<Points> thicker_;      // points of `start_` whose curvature the samples see
   bool thickened_ = false;             // whether `start_` are such points
   int metric_iteration_ = 0, metrics_ = 0;
+  int factorizations_ = 0;              // of metrics before `own_metric_`
   int uninformative_metrics_ = 0;       // number of latest metrics that were uninformative
   std::optional<double> start_energy_;  // energy of the level's first surface, by its first rule
   ParametrizationStages stages_;
@@ -146,7 +148,7 @@ class Level {
 
   /// Work done with coarser rules.
   struct {
-    int iterations = 0, evaluations = 0, metrics = 0, stages = 0;
+    int iterations = 0, evaluations = 0, metrics = 0, factorizations = 0, stages = 0;
     double energy = std::numeric_limits<double>::quiet_NaN(), gradient_norm = energy;
   } before_;
 };

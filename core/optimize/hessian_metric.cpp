@@ -77,6 +77,7 @@ bool HessianMetric::replace_negative() {
 }
 
 void HessianMetric::end_factoring() {
+  ++factorizations_;
   positive_ = replace_negative();
   ready_ = positive_ || mu_ >= kLargestMu;
   if (!ready_) {

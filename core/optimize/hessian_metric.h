@@ -52,6 +52,7 @@ class HessianMetric : public SurfaceMetric {
   /// Whether mu is small enough that the Hessian, not the Sobolev product, dominates the metric.
   bool predicts() const override;
   void gained(double part) override { latest_gain_ = part; }
+  int factorizations() const override { return factorizations_; }
   /// mu.
   double sobolev_share() const override { return mu_; }
   /// a.
@@ -69,6 +70,7 @@ class HessianMetric : public SurfaceMetric {
   SparseCholesky factor_;
   AbsoluteInverse absolute_;
   double latest_gain_ = 1;
+  int factorizations_ = 0;
   bool assembled_ = false, positive_ = false, must_be_positive_ = false, factoring_ = false, ready_ = false,
        settled_ = false, rose_ = false;
   double mu_, fall_ = 1;

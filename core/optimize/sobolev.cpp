@@ -46,6 +46,7 @@ bool SobolevMetric::advance() {
     }
     case Stage::kFactor:
       if (!factor_.advance()) break;
+      ++factorizations_;
       if (factor_.succeeded() && scaling_) {
         const Eigen::VectorXd size = unknowns_.pull_back(scaling_direction(control_));
         fixed_size_.set(size, solve_freely(size));

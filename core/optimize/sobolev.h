@@ -33,6 +33,7 @@ class SobolevMetric : public SurfaceMetric {
   bool settled() const override { return true; }
   void settle() override {}
   void gained(double) override {}
+  int factorizations() const override { return factorizations_; }
   double sobolev_share() const override { return 1; }
   Eigen::VectorXd solve(const Eigen::VectorXd& gradient) const override;
 
@@ -59,6 +60,7 @@ class SobolevMetric : public SurfaceMetric {
   PatchAssembly assembly_;
   SobolevForm form_;
   SparseCholesky factor_{SparseCholesky::Pivots::kPositive};
+  int factorizations_ = 0;
 
   Stage stage_ = Stage::kArea;
   Points control_;

@@ -29,6 +29,8 @@ class SurfaceMetric : public Metric {
   /// The decrease in the latest iteration, divided by what the metric had predicted, for metrics that trust themselves
   /// by it.
   virtual void gained(double part) = 0;
+  /// How many matrices it has factored or tried to.
+  virtual int factorizations() const = 0;
   /// The factor of the Sobolev product in the metric.
   virtual double sobolev_share() const = 0;
 };

@@ -136,6 +136,7 @@ struct LevelReport {
   StopReason stop = StopReason::kConverged;
   MetricChoice metric = MetricChoice::kIdentity;
   int metrics = 0;
+  int factorizations = 0;
   int parametrization_stages = 0;
   int quadrature = 0;
   bool credible = true;
@@ -157,6 +158,8 @@ struct LevelReport {
     visit("stop", self.stop, "Why the level ended");
     visit("metric", self.metric, "What the optimizer measured steps with; never auto");
     visit("metrics", self.metrics, "How often the metric was built");
+    visit("factorizations", self.factorizations,
+          "How often a matrix was factored for them, also where it turned out not to be positive definite");
     visit("parametrization_stages", self.parametrization_stages,
           "Stages in which a term that keeps the parametrization even fell to 0; 0 without it");
     visit("quadrature", self.quadrature,

@@ -4,10 +4,12 @@
 #include "flops.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "counted.h"
 #include "energy/densities.h"
+#include "solve/elimination_tree.h"
 
 namespace umbilic {
 namespace {
@@ -80,6 +82,12 @@ double evaluation_flops(const PatchLayout& layout, const QuadratureRule& rule, c
     flops += set.count() * (2 * multiply_adds + per_sample * samples);
   }
   return flops;
+}
+
+double factorization_flops(const Eigen::SparseMatrix<double>& lower) {
+  const EliminationTree tree(lower);
+  return std::accumulate(tree.supernodes().begin(), tree.supernodes().end(), 0.0,
+                         [](double sum, const Supernode& supernode) { return sum + supernode.flops(); });
 }
 
 }  // namespace umbilic

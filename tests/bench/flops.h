@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The floating-point operations of an energy with its gradient, counted rather than measured.
+/// Floating-point operations, counted rather than measured.
 #pragma once
+
+#include <Eigen/SparseCore>
 
 #include "energy/functional.h"
 #include "surface/layout.h"
 
 namespace umbilic {
 
-/// Of all samples with weight: basis, densities and pullbacks; not what padding, gathering and scattering cost.
+/// Of an energy with its gradient, all samples with weight: basis, densities and pullbacks; not what padding, gathering
+/// and scattering cost.
 double evaluation_flops(const PatchLayout& layout, const QuadratureRule& rule, const Weights& weights);
+
+/// Of the factorization of the matrix with this lower triangle.
+double factorization_flops(const Eigen::SparseMatrix<double>& lower);
 
 }  // namespace umbilic

@@ -15,10 +15,12 @@ std::string measure(const std::string& subject, const std::vector<std::string>& 
   if (subject == "throughput") {
     return fmt::format(R"({{"peaks":{},"throughput":{},"phases":{}}})", peaks(), throughput(), phases());
   }
+  if (subject == "peaks") return peaks();
   if (subject == "overhead") return overhead();
   if (subject == "scaling") return scaling();
   if (subject == "threads") return threads();
   if (subject == "cage") return cage_text(arguments);
+  if (subject == "shares") return shares();
   if (subject == "rates") return rates();
   if (subject == "quadrature") return quadrature();
   if (subject == "caps") return caps();
@@ -35,7 +37,7 @@ int main(int argc, char** argv) {
     if (!text.empty()) return std::puts(text.c_str()) < 0;
   }
   std::fputs(
-      "Usage: umbilic_bench throughput | overhead | scaling | threads | rates | quadrature | caps\n"
+      "Usage: umbilic_bench throughput | peaks | overhead | scaling | threads | shares | rates | quadrature | caps\n"
       "       umbilic_bench cage NAME\n"
       "       umbilic_bench run CAGE FUNCTIONAL LAST_LEVEL auto|identity|sobolev|hessian symmetric|unsymmetric\n",
       stderr);

@@ -59,6 +59,9 @@ std::string scaling();
 /// that do it each for itself.
 std::string threads();
 
+/// CPU seconds of whole runs by what they go into.
+std::string shares();
+
 /// CPU seconds of the parts of levels of many kinds, beside those of driver/level_work.h.
 std::string rates();
 

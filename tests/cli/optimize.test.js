@@ -77,6 +77,7 @@ describe('a run', () => {
       stop: expect.stringMatching(/^(converged|round_off)$/),
       metric: 'hessian',
       metrics: expect.any(Number),
+      factorizations: expect.any(Number),
       parametrization_stages: 0,
       quadrature: 0,
       evaluable: true,

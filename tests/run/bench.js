@@ -10,12 +10,14 @@ import path from 'node:path';
 import * as caps from './bench/caps.js';
 import * as evolver from './bench/beside_evolver.js';
 import * as estimates from './bench/estimates.js';
+import * as factorization from './bench/factorization.js';
 import * as limits from './bench/limits.js';
 import * as metrics from './bench/metrics.js';
 import * as overhead from './bench/overhead.js';
 import * as quadrature from './bench/quadrature.js';
 import * as scaling from './bench/scaling.js';
 import * as shapes from './bench/shapes.js';
+import * as shares from './bench/shares.js';
 import { markdownTable, plainTable, replaceBetween } from './bench/tables.js';
 import * as threads from './bench/threads.js';
 import * as throughput from './bench/throughput.js';
@@ -35,6 +37,7 @@ import { root } from './process.js';
 /** In the order of the tables. @type {Record<string, Subject>} */
 const subjects = {
   throughput,
+  shares,
   shapes,
   unsymmetric,
   metrics,
@@ -42,13 +45,14 @@ const subjects = {
   scaling,
   threads,
   estimates,
+  factorization,
   evolver,
   quadrature,
   caps,
   limits,
 };
 /** Those that show what was chosen, or take long. */
-const onRequest = ['unsymmetric', 'quadrature', 'caps', 'limits'];
+const onRequest = ['unsymmetric', 'factorization', 'quadrature', 'caps', 'limits'];
 const byDefault = Object.keys(subjects).filter((name) => !onRequest.includes(name));
 const readme = path.join(root, 'tests/bench/README.md');
 
@@ -90,9 +94,19 @@ if (unknown) {
   process.exit(2);
 }
 const programs = wanted.join() !== 'limits';
-if (!(await installTools('native', ...(programs ? /** @type {const} */ (['wasm']) : []))) || !(await installPackages()))
-  process.exit(1);
-if (!(await build('native', 'umbilic', ...(programs ? ['umbilic_bench'] : [])))) process.exit(1);
+/** @type {import('./install.js').Need[]} */
+const needs = ['native'];
+const targets = ['umbilic'];
+if (programs) {
+  needs.push('wasm');
+  targets.push('umbilic_bench');
+}
+if (wanted.includes('factorization')) {
+  needs.push('factorization');
+  targets.push('umbilic_bench_factorization');
+}
+if (!(await installTools(...needs)) || !(await installPackages())) process.exit(1);
+if (!(await build('native', ...targets))) process.exit(1);
 if (programs && !(await build('wasm', 'umbilic_bench'))) process.exit(1);
 for (const name of wanted.length ? wanted : byDefault) {
   const start = performance.now();

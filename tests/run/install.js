@@ -8,7 +8,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { output, root, run } from './process.js';
 
-/** @typedef {'native' | 'wasm' | 'lint' | 'browser' | 'fuzz' | 'coverage'} Need */
+/** @typedef {'native' | 'wasm' | 'lint' | 'browser' | 'fuzz' | 'coverage' | 'factorization'} Need */
 
 /** Whether clang has libFuzzer, whose folder is named by clang's version. */
 const hasFuzzer = () => {
@@ -16,6 +16,10 @@ const hasFuzzer = () => {
   const names = folder && existsSync(folder) ? readdirSync(folder) : [];
   return names.some((name) => /^libclang_rt\.fuzzer(-.*)?\.a$/.test(name));
 };
+
+/** Whether a folder of /usr/lib, which is named by the processor, has the library to link. */
+const hasOpenBlas = () =>
+  existsSync('/usr/lib') && readdirSync('/usr/lib').some((folder) => existsSync(`/usr/lib/${folder}/libopenblas.so`));
 
 /**
  * Debian packages. Each is recognized by a program on the PATH, a header in an include folder, or otherwise.
@@ -36,6 +40,8 @@ export const tools = [
   { package: 'clang', program: 'clang++', needs: ['fuzz'] },
   { package: 'libclang-rt-dev', found: hasFuzzer, needs: ['fuzz'] },
   { package: 'gcovr', program: 'gcovr', needs: ['coverage'] },
+  { package: 'libsuitesparse-dev', header: 'suitesparse/cholmod.h', needs: ['factorization'] },
+  { package: 'libopenblas-dev', found: hasOpenBlas, needs: ['factorization'] },
   { package: 'chromium-headless-shell', program: 'chromium-headless-shell', needs: ['browser'] },
 ];
 

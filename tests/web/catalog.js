@@ -49,6 +49,7 @@ export function entry(shape, functional, more = {}) {
       stop: 'converged',
       metric: 'hessian',
       metrics: 3,
+      factorizations: 3,
       quadrature: 0,
       evaluable: true,
       cap_rings: 4,

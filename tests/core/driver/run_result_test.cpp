@@ -90,6 +90,9 @@ TEST(Run, builds_the_metric_that_was_chosen) {
     const int most = metric == MetricChoice::kIdentity ? 0 : metric == MetricChoice::kNewton ? 13 : 2;
     EXPECT_LE(run.levels()[0].metrics, most);
     EXPECT_GE(run.levels()[0].metrics, most > 0 ? 1 : 0);
+    // The Hessian of the start is not positive definite.
+    EXPECT_EQ(run.levels()[0].factorizations > run.levels()[0].metrics, name == std::string("hessian")) << name;
+    EXPECT_GE(run.levels()[0].factorizations, run.levels()[0].metrics) << name;
   }
 }
 

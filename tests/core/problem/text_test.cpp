@@ -57,6 +57,7 @@ Report full_report() {
                     .stop = StopReason::kRoundOff,
                     .metric = MetricChoice::kHessian,
                     .metrics = 2,
+                    .factorizations = 3,
                     .quadrature = 1,
                     .credible = false,
                     .thickened = true,

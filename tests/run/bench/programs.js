@@ -34,6 +34,15 @@ const native = path.join(root, 'build/native');
 export const benchText = (...args) => execFileSync(path.join(native, 'umbilic_bench'), args, { encoding: 'utf8' });
 
 /**
+ * What the benchmark's program that links CHOLMOD prints, with one thread of the BLAS that CHOLMOD calls.
+ * @returns {any} described in tests/bench/factorization/main.cpp
+ */
+export function benchFactorization() {
+  const env = { ...process.env, OPENBLAS_NUM_THREADS: '1' };
+  return JSON.parse(execFileSync(path.join(native, 'umbilic_bench_factorization'), { encoding: 'utf8', env }));
+}
+
+/**
  * The measurements of one subject of the benchmark.
  * @param {Platform} platform
  * @param {...string} args

@@ -112,6 +112,7 @@ export function levelReport(level, more = {}) {
     stop: 'converged',
     metric: 'hessian',
     metrics: 1,
+    factorizations: 1,
     parametrization_stages: 0,
     evaluable: true,
     cap_rings: 4,
