@@ -38,6 +38,21 @@ Json json_of(const SecondFamily& second, const LimitReport& first) {
           {"levels", part_json(without_times(second.levels))}};
 }
 
+std::string file_of(const Entry& entry, std::string_view suffix = "") {
+  return fmt::format("{}{}.json", entry_name(entry.shape, entry.functional), suffix);
+}
+
+constexpr std::string_view kBelow = ".below";
+
+Json json_of(const LowerMinimizer& below, const Entry& entry) {
+  return {{"energy", below.result.energy_reported},
+          {"group", part_json(below.group)},
+          {"level", below.result.level},
+          {"faces", below.result.patches},
+          {"certificate", below.certificate ? part_json(*below.certificate) : Json(nullptr)},
+          {"minimizer", file_of(entry, kBelow)}};
+}
+
 bool all_converged(const Json& levels) {
   return std::all_of(levels.begin(), levels.end(), [](const Json& level) {
     return !level.at("evaluable") || level.at("stop") == "converged" || level.at("stop") == "round_off";
@@ -73,6 +88,7 @@ Json json_of(const EntrySettings& settings) {
   }
   Json result = part_json(run);
   result["certified_faces"] = optional_json(settings.certified_faces);
+  if (settings.descends) result["descends"] = true;
   result["second_family"] = second;
   return result;
 }
@@ -96,9 +112,10 @@ Json json_of(const Entry& entry) {
   result["levels"] = part_json(without_times(entry.levels));
   result["limit"] = part_json(entry.limit);
   result["certificate"] = entry.certificate ? part_json(*entry.certificate) : Json(nullptr);
+  if (entry.below) result["below"] = json_of(*entry.below, entry);
   result["second_family"] = entry.second ? json_of(*entry.second, entry.limit) : Json(nullptr);
   const bool found = entry.status != EntryStatus::kNoneFound;
-  result["minimizer"] = found ? Json(entry_name(entry.shape, entry.functional) + ".json") : Json(nullptr);
+  result["minimizer"] = found ? Json(file_of(entry)) : Json(nullptr);
   result["level"] = entry.result.level;
   result["faces"] = entry.result.patches;
   return result;
@@ -119,13 +136,19 @@ std::vector<LevelReport> levels_to_the_shown(const Entry& entry) {
   return levels;
 }
 
-std::string minimizer_text(const Entry& entry, std::string_view version) {
+/// What reports of the entry's runs have in common.
+Report report_on(const Entry& entry, std::string_view version) {
   Report report;
   report.program = version;
   report.instruction_set = name_of(instruction_set());
   report.problem.cage = GeneratedCage{entry.shape.generator, entry.settings.cage};
   report.problem.options = entry.settings.run;
   report.cage = cage_of(report.problem.cage).value().report;
+  return report;
+}
+
+std::string minimizer_text(const Entry& entry, std::string_view version) {
+  Report report = report_on(entry, version);
   report.group = entry.group;
   report.levels = levels_to_the_shown(entry);
   if (entry.settings.shown_level) report.problem.options.last_level = entry.result.level;
@@ -133,6 +156,18 @@ std::string minimizer_text(const Entry& entry, std::string_view version) {
   report.energies = entry.energies;
   report.certificate = entry.certificate;
   report.surface = SurfaceState{entry.result.level, entry.orbit_points};
+  return report_text(report, JsonPrinter::Layout::kCompact);
+}
+
+std::optional<std::string> below_text(const Entry& entry, std::string_view version) {
+  if (!entry.below) return std::nullopt;
+  Report report = report_on(entry, version);
+  report.problem.options.last_level = entry.below->result.level;
+  report.group = entry.below->group;
+  report.levels = without_times({entry.below->result});
+  report.energies = entry.below->energies;
+  report.certificate = entry.below->certificate;
+  report.surface = SurfaceState{entry.below->result.level, entry.below->orbit_points};
   return report_text(report, JsonPrinter::Layout::kCompact);
 }
 
@@ -165,6 +200,12 @@ std::string difference(const Json& stored, const Json& again) {
   }
   if (stored.at("group") != again.at("group")) return "another symmetry group";
   if (stored.at("levels").size() != again.at("levels").size()) return "another number of levels";
+  if (stored.contains("below") != again.contains("below")) return "another finding about what it descends to";
+  if (stored.contains("below")) {
+    const std::string below = energy_difference(again.at("below").at("energy"), stored.at("below").at("energy"),
+                                                kConvergedReproducibility);
+    if (!below.empty()) return "what it descends to: " + below;
+  }
   return energy_difference(again.at("levels").back().at("energy_reported"),
                            stored.at("levels").back().at("energy_reported"),
                            std::max(reproducibility(stored), reproducibility(again)));

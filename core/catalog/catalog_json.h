@@ -4,10 +4,12 @@
 ///
 /// catalog.json: {"version", "functionals": [{"name", "weights"}], "shapes": [{"name", "genus", "junctions", "arms",
 /// "cage"}], "entries": […], "starts": […]}, in which parts of reports have their usual names. A minimizer's file,
-/// <shape>.<functional>.json, is the report of its run, see problem/text.h. Numbers have all their digits, and there
+/// <shape>.<functional>.json, is the report of its run, see problem/text.h; what it descends to is in
+/// <shape>.<functional>.below.json. Numbers have all their digits, and there
 /// are no times.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,6 +28,8 @@ Json json_of(const Entry& entry);
 Json json_of(const StartResult& start);
 /// The report of the entry's run by this version of the program, in one line.
 std::string minimizer_text(const Entry& entry, std::string_view version);
+/// The same of what the minimizer descends to, if it does.
+std::optional<std::string> below_text(const Entry& entry, std::string_view version);
 
 /// A catalog without entries and starts.
 Json empty_catalog(std::string_view version);

@@ -30,12 +30,19 @@ class Computation {
       run_.step(1);
       if (!watch(run_)) return false;
     }
-    if (certificate_ && !minimized(certificate_->level)) certificate_.reset();
+    if (certificate_ && !minimized(certificate_->level)) {
+      certificate_.reset();
+      descent_.reset();
+    }
     return true;
   }
 
   const Run& run() const { return run_; }
   const std::optional<CertificateReport>& certificate() const { return certificate_; }
+  /// A surface below the certified one; nothing unless the settings ask for it, and there is one.
+  const std::optional<SurfaceState>& descent() const { return descent_; }
+  /// The energy of the certified surface.
+  double certified_energy() const { return certified_energy_; }
 
   /// Fills in the surface that the entry shows: that of the level that is set, or the best.
   void show(Entry& entry) const {
@@ -79,12 +86,16 @@ class Computation {
       if (!watch(run_)) return false;
     }
     if (const Result<CertificateReport> report = certificate->report()) certificate_ = *report;
+    if (settings_.descends) descent_ = certificate->descent();
+    certified_energy_ = run_.result().energy_reported;
     return true;
   }
 
   Run run_;
   const EntrySettings& settings_;
   std::optional<CertificateReport> certificate_;
+  std::optional<SurfaceState> descent_;
+  double certified_energy_ = 0;
   std::optional<Shown> shown_;
 };
 
@@ -175,11 +186,18 @@ std::optional<Entry> compute_entry(const CatalogShape& shape, const CatalogFunct
   entry.levels = run.levels();
   entry.limit = run.limit();
   entry.certificate = computation.certificate();
+  if (computation.descent()) {
+    Problem problem{.cage = GeneratedCage{shape.generator, settings.cage}, .options = settings.run};
+    problem.options.last_level = computation.descent()->level;
+    problem.start = computation.descent();
+    if (!descend(std::move(problem), computation.certified_energy(), watch, entry.below)) return std::nullopt;
+  }
   if (settings.second_family) {
     CageOptions options = settings.cage;
     options.family = *settings.second_family;
     EntrySettings plain = settings;
     plain.certified_faces.reset();
+    plain.descends = false;
     plain.run.last_level = settings.second_last_level;
     Computation other(create_run(shape, plain, options).value(), plain);
     if (!other.finish(watch)) return std::nullopt;

@@ -3,11 +3,11 @@
 /// One entry of the catalog: a minimizer, its energies, and how well they are known.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "catalog/descent.h"
 #include "catalog/reference.h"
 #include "catalog/settings.h"
 
@@ -47,12 +47,10 @@ struct Entry {
   std::vector<LevelReport> levels;
   LimitReport limit;
   std::optional<CertificateReport> certificate;
+  std::optional<LowerMinimizer> below;  ///< what it descends to, where EntrySettings::descends
   std::optional<SecondFamily> second;
   Points orbit_points;  ///< of that minimizer, see driver/surface_state.h
 };
-
-/// Called during a computation with the current run; returns whether to continue.
-using Watch = std::function<bool(const Run&)>;
 
 /// Nothing if `watch` ended it.
 std::optional<Entry> compute_entry(const CatalogShape& shape, const CatalogFunctional& functional,

@@ -54,6 +54,7 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
     settings.run.max_iterations = kVanishingIterations;
   } else {
     settings.certified_faces = kMaxCertifiedFaces;
+    settings.descends = !third_order(functional.weights);
   }
   const bool in_detail =
       functional.name == "mvs_cross" && shape.genus <= kLargestGenusInDetail && has_equal_arms(shape);
@@ -84,6 +85,7 @@ EntrySettings start_settings(const Start& start, int last_level) {
   settings.run.last_level = std::min(settings.run.last_level, 3);
   settings.cage.thickness = start.thickness;
   settings.certified_faces.reset();
+  settings.descends = false;
   settings.second_family.reset();
   return settings;
 }

@@ -108,6 +108,10 @@ std::optional<Error> CatalogFolder::keep(const Entry& entry) {
   Json json = json_of(entry);
   const fs::path file = fs::path(path_) / json.at("minimizer").get<std::string>();
   if (auto error = write_file(file.string(), minimizer_text(entry, version()))) return error;
+  if (const std::optional<std::string> below = below_text(entry, version())) {
+    const fs::path lower = fs::path(path_) / json.at("below").at("minimizer").get<std::string>();
+    if (auto error = write_file(lower.string(), *below)) return error;
+  }
   insert(catalog_["entries"], std::move(json));
   return write();
 }

@@ -122,11 +122,6 @@ Result<std::optional<Certificate>> certify(const Run& run, const InterruptWatch&
   return std::optional(std::move(certificate).value());
 }
 
-/// How often a run begins again from a lower surface that a certificate leads to.
-constexpr std::size_t kMostDescents = 8;
-/// A descent that gains less than this part of the energy is the last one.
-constexpr double kLeastGain = 1e-6;
-
 /// The exit code after one result: a failure has been said.
 int told(const std::optional<Error>& error) { return error ? fail(kCannotWrite, error->message) : kEnded; }
 
@@ -202,7 +197,7 @@ int minimize_and_certify(const OptimizeArguments& arguments, const InterruptWatc
     Problem lower = run.problem;
     lower.start = (*certificate)->descent();
     const double energy = run.run.result().energy_reported;
-    const bool stays = !ending.left.empty() && energy >= (1 - kLeastGain) * energy_before;
+    const bool stays = !ending.left.empty() && energy >= (1 - kLeastDescent) * energy_before;
     if (!lower.start || stays) {
       if (ending.certificate->negative > 0)
         ending.left.push_back("no surface that is clearly lower was found along the directions of its certificate\n");

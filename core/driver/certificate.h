@@ -14,6 +14,7 @@
 /// the discretization (the Clifford torus has 5 at level 0 and none from level 2 on).
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -39,6 +40,10 @@ inline constexpr double kLargestResidual = 0.25;
 
 /// Keeps the time of a certificate at about a minute.
 inline constexpr int kMaxCertifiedFaces = 10'000;
+
+/// How often one goes on along a direction of descent at most, and the part of the energy by which that must fall.
+inline constexpr std::size_t kMostDescents = 8;
+inline constexpr double kLeastDescent = 1e-6;
 
 struct RefinedCage;
 

@@ -22,12 +22,17 @@
 
 /**
  * Levels that an earlier version computed lack the members that came later.
- * @typedef {'credible' | 'thickened' | 'predicted_decrease' | 'parametrization_stages'} LaterMember
+ * @typedef {'credible' | 'thickened' | 'predicted_decrease' | 'parametrization_stages' | 'factorizations'} LaterMember
  * @typedef {Omit<LevelReport, 'energy_reported' | 'seconds' | LaterMember> & Partial<Pick<LevelReport, LaterMember>>
  *   & {energy_reported: number | null, seconds: null}} EntryLevel
  */
 
 /** The result for the other family of cages. `agrees` is null if one of the two energies has no error bar. @typedef {{family: string, energy: number | null, error: number | null, agrees: boolean | null, levels: EntryLevel[]}} SecondFamily */
+
+/**
+ * A surface below the entry's, with less symmetry. `minimizer` is the file of its report.
+ * @typedef {{energy: number, group: Group, level: number, faces: number, certificate: CertificateReport | null, minimizer: string}} LowerMinimizer
+ */
 
 /**
  * @typedef {object} CatalogEntry
@@ -46,6 +51,7 @@
  * @property {EntryLevel[]} levels
  * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null, lower?: number | null}} limit
  * @property {CertificateReport | null} certificate
+ * @property {LowerMinimizer} [below] what the minimizer descends to, where its certificate counts directions of descent
  * @property {SecondFamily | null} second_family the result for the other family of cages
  * @property {string | null} minimizer file name of the run's report, in the catalog's folder
  * @property {number} level level of the minimizer, in Catmull-Clark steps from the cage

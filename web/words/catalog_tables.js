@@ -19,6 +19,8 @@ import { compact, integer, upperBound, withError } from './numbers.js';
  * @property {{name: string}} group
  * @property {Record<string, number>} [energies] of the minimizer on the last level, all functionals
  * @property {{level: number, negative: number} | null} certificate
+ * @property {{energy: number, group: {name: string}, level: number, certificate: {negative: number} | null}} [below] what
+ *   the minimizer descends to
  * @property {{energy: number, error: number | null, agrees: boolean | null} | null} second_family
  */
 /** @typedef {{name: string, genus: number, junctions: number, arms: number}} Shape */
@@ -209,6 +211,36 @@ function certificates(catalog) {
   };
 }
 
+/** What the minimizers descend to, beside the surface of the same genus with two junctions. @param {Catalog} catalog @returns {Table[]} */
+function descents(catalog) {
+  const find = lookup(catalog);
+  const rows = catalog.entries.flatMap((entry) => {
+    const { shape, functional, group, below } = entry;
+    if (!below) return [];
+    const { genus } = /** @type {Shape} */ (catalog.shapes.find(({ name }) => name === shape));
+    const twin = find(`two-${genus + 1}`, functional);
+    return [
+      [
+        ...[genus, shape, functional],
+        `${energyWords(entry)}, ${group.name}`,
+        `${below.energy.toPrecision(8)} (level ${below.level}), ${below.group.name}`,
+        below.certificate ? below.certificate.negative : '',
+        twin ? `${energyWords(twin)}, ${twin.shape}` : '',
+      ],
+    ];
+  });
+  if (!rows.length) return [];
+  const head = ['genus', 'shape', 'functional', 'minimizer', 'what it descends to', 'directions that lower that'];
+  return [
+    {
+      title:
+        'Minimizers of second order from which such directions lead down, and where the descent ends, beside the minimizer of this genus with two junctions:',
+      head: [...head, 'two junctions'],
+      rows,
+    },
+  ];
+}
+
 /** @param {number[]} values @param {(value: number) => string} [words] */
 const range = (values, words = short) => `${words(Math.min(...values))} to ${words(Math.max(...values))}`;
 
@@ -299,5 +331,6 @@ export function catalogTables(catalog) {
     ...[perJunction(catalog, 3), perJunction(catalog, 4)],
     ...claims(catalog),
     ...[preferences, families, starts, allEnergies, certificates].map((table) => table(catalog)),
+    ...descents(catalog),
   ];
 }

@@ -57,6 +57,37 @@ TEST(CatalogEntry, of_too_few_levels_is_an_upper_bound) {
   EXPECT_EQ(frame.second->levels.size(), 2u);
 }
 
+TEST(CatalogEntrySlow, tells_what_a_minimizer_with_directions_of_descent_descends_to) {
+  const Entry frame = entry("tetrahedron-frame", "bending", 2);
+  ASSERT_EQ(frame.certificate->negative, 2);
+  ASSERT_TRUE(frame.below);
+  EXPECT_EQ(frame.below->group.name, "D2");
+  EXPECT_EQ(frame.below->certificate->negative, 0);
+  const double lawson = exact_energy(shape_called("two-4"), functional_called("bending"))->energy;
+  EXPECT_NEAR(frame.below->result.energy_reported, lawson, 1e-4 * lawson);
+  EXPECT_LT(frame.below->result.energy_reported, 0.99 * frame.energies.functionals[kBending]);
+
+  const Json stored = json_of(frame);
+  EXPECT_EQ(stored.at("below").at("energy"), frame.below->result.energy_reported);
+  EXPECT_EQ(difference(stored, stored), "");
+  Json other = stored;
+  other.erase("below");
+  EXPECT_NE(difference(stored, other), "");
+  other = stored;
+  other["below"]["energy"] = 1.001 * frame.below->result.energy_reported;
+  EXPECT_NE(difference(stored, other), "");
+  Json described{{"energies", part_json(frame.below->energies)}};
+  EXPECT_EQ(misfit(described, *below_text(frame, "1.2.3")), "") << "the file holds this surface";
+}
+
+TEST(CatalogEntry, has_nothing_below_a_certified_minimum) {
+  const Entry frame = entry("two-3", "bending", 2);
+  ASSERT_EQ(frame.certificate->negative, 0);
+  EXPECT_FALSE(frame.below);
+  EXPECT_FALSE(json_of(frame).contains("below"));
+  EXPECT_FALSE(below_text(frame, "1.2.3"));
+}
+
 TEST(CatalogEntrySlow, is_computed_to_the_same_digits_again_and_its_file_holds_its_surface) {
   for (const char* functional : {"bending", "mvs"}) {
     const Entry first = entry("two-3", functional, 1);

@@ -105,3 +105,12 @@ test("the catalog's README has the tables of its numbers: `npm run catalog -- re
   const read = (/** @type {string} */ name) => readFileSync(path.join(root, 'web/catalog', name), 'utf8');
   expect(read('README.md')).toContain(catalogSection(JSON.parse(read('catalog.json'))));
 });
+
+test('what a minimizer descends to stands beside the surface with two junctions', () => {
+  const below = { energy: 141.5482128, group: { name: 'D2' }, level: 3, certificate: { level: 3, negative: 0 } };
+  const more = { group: { name: 'Td' }, certificate: { level: 3, negative: 2 }, below };
+  const entries = [...catalog.entries, entry('tetrahedron-frame', 'bending', 144, more)];
+  expect(catalogSection({ ...catalog, entries }).split('\n')).toContain(
+    '| 3 | tetrahedron-frame | bending | 144.0 ± 1.4, Td | 141.54821 (level 3), D2 | 0 | 142.0 ± 1.4, two-4 |',
+  );
+});

@@ -3,6 +3,7 @@
  * @file The parts of an entry's details: a list of facts, its energies under every functional, and its levels.
  */
 import { entryName } from '../../../address/compare.js';
+import { catalogAddress } from '../../../files/catalog.js';
 import { element } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
 import { columnWords, junctionWords, typeset } from '../../../words/entries.js';
@@ -28,7 +29,7 @@ const fact = (term, ...value) => element('div', {}, element('dt', {}, term), ele
 
 /** The facts about an entry besides its energy. @param {Found} found @param {CatalogStart[]} starts all of the catalog @returns {HTMLElement[]} */
 export function facts({ entry, shape }, starts) {
-  const { group, certificate, second_family: second, limit, paper, exact, energy, settings } = entry;
+  const { group, certificate, below, second_family: second, limit, paper, exact, energy, settings } = entry;
   const list = [fact('Genus', String(shape.genus))];
   if (junctionWords(shape)) list.push(fact('Frame', junctionWords(shape)));
   if (group) list.push(fact('Symmetry', ...groupSymbol(group.name), `, order ${group.order}`));
@@ -60,6 +61,7 @@ export function facts({ entry, shape }, starts) {
       : `a local minimum among all surfaces near it, level ${level}`;
     list.push(fact('Certificate', words));
   }
+  if (below) list.push(fact('Below it', ...belowWords(below)));
   if (settings)
     list.push(
       fact(
@@ -68,6 +70,19 @@ export function facts({ entry, shape }, starts) {
       ),
     );
   return list;
+}
+
+/** @param {import('../../../files/catalog.js').LowerMinimizer} below @returns {Array<Node | string>} */
+function belowWords({ energy, group, level, certificate, minimizer }) {
+  const proved = certificate?.negative === 0 ? ', a local minimum' : '';
+  const file = element('a', { href: catalogAddress(minimizer), download: minimizer }, 'its report');
+  return [
+    `${significant(energy, ENERGY_DIGITS)} at level ${level}, symmetry `,
+    ...groupSymbol(group.name),
+    `${proved}: `,
+    file,
+    ', which the studio opens when it is dropped there',
+  ];
 }
 
 /** @param {string} name @param {string} formula @param {number | null} value @param {boolean} objective */
