@@ -36,6 +36,8 @@ struct Run::State {
   RunOptions options;
   Constraints constraints;
   RefinedCage cage;                   // at level 0
+  /// Whether orbits are of the cage's symmetry, not of one that a start was found to have.
+  bool has_cages_orbits = true;
   int required_level = 0;             // the first level that can be evaluated
   std::vector<int> cage_numbers;      // of each face of the surface, from which holes are left out, in the cage
   std::vector<int> faces_of_corners;  // of the surface of the cage: the face of each half-edge, as in the cage
@@ -313,6 +315,7 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constra
   if (start) {
     prepared = at_state(std::move(prepared).value(), *start, options.caps(), options.symmetry);
     if (!prepared) return Error{"start: " + prepared.error().message};
+    state->has_cages_orbits = start->points.rows() != prepared->mesh.vertex_count();
     if (!options.symmetry) prepared->symmetry = {};
   }
   const int first_level = constrained ? std::max(options.first_level, state->required_level) : options.first_level;
@@ -418,6 +421,7 @@ std::vector<int> Run::cage_faces() const {
 
 Points Run::orbit_points() const {
   const RefinedCage cage = state_->level->best_cage();
+  if (!state_->has_cages_orbits) return cage.placement.back(cage.control);
   return cage.placement.back(Coordinates(cage.mesh, cage.symmetry).orbit_points(cage.control));
 }
 

@@ -99,7 +99,8 @@ class Run {
   /// The faces of the cage whose surface is held, also those to which constraints.symmetric copies others; sorted.
   const std::vector<int>& held_faces() const;
 
-  /// The points of the first vertex of each orbit of `control_mesh`; see driver/surface_state.h.
+  /// The points of the first vertex of each orbit of `control_mesh`, or of all its vertices if the run has started from
+  /// points of all; see driver/surface_state.h.
   Points orbit_points() const;
 
   /// The best surface so far, in a compact form for saving.

@@ -42,6 +42,17 @@ TEST(SurfaceState, of_a_run_has_its_energies_and_its_group) {
   }
 }
 
+TEST(SurfaceState, of_a_run_with_less_symmetry_than_its_cage_comes_back) {
+  const Cage cage = *generate_cage("tetrahedron-frame");
+  SurfaceState less{0, cage.vertices};
+  less.points.col(2) *= 1.1;
+  const umbilic::Run run = minimized(cage, 1, 5, less);
+  ASSERT_EQ(run.group().name, "D2d");
+  const umbilic::Run opened = minimized(cage, 0, 0, run.state());
+  EXPECT_EQ(opened.group().name, "D2d");
+  EXPECT_LT((opened.control_mesh().vertices - run.control_mesh().vertices).cwiseAbs().maxCoeff(), 1e-14);
+}
+
 TEST(SurfaceState, needs_the_points_of_its_orbits) {
   const Cage cage = *generate_cage("two-3");
   Points points = minimized(cage, 1, 0).orbit_points();
