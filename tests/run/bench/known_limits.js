@@ -20,9 +20,17 @@ import { clampedCatenoid, clampedRevolution, clampedSphere } from './clamped.js'
 const { PI, LN2, cos } = Math;
 const zeta3 = 1.2020569031595942;
 
+/**
+ * Of functionals of second order, so that the table shows what the extrapolation leaves rather than the optimizer. Those of
+ * third order would take too long.
+ */
+const tightTolerance = 1e-9;
+const secondOrder = ['bending', 'willmore'];
+
 /** The problem in words and as data. @param {string} what @param {number} truth @param {number} doubt @param {Record<string, number>} terms @param {Ask} ask @returns {Known} */
 function known(what, truth, doubt, terms, { cage, words, cap = 'smooth', levels = [0, 3], boundary }) {
   const constraints = boundary ? { constraints: { boundary: { condition: boundary } } } : {};
+  const tight = Object.keys(terms).every((name) => secondOrder.includes(name)) ? { tolerance: tightTolerance } : {};
   return {
     what,
     truth,
@@ -34,7 +42,7 @@ function known(what, truth, doubt, terms, { cage, words, cap = 'smooth', levels 
       cage,
       terms,
       ...constraints,
-      options: { cap, levels },
+      options: { cap, levels, ...tight },
     }),
   };
 }

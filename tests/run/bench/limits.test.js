@@ -58,7 +58,21 @@ test('a row is inside where bar and doubt together reach the truth, and without 
     { ...row, status: /** @type {const} */ ('too_few_levels'), value: 12, bar: null, truth: 10 },
   ];
   expect(tables(rows)[0].rows.map((cells) => cells.at(-1))).toEqual(['yes', '**no**', 'yes', 'too few levels']);
+  const held = '3 have a bar, and 2 of these hold the truth. The median of bar / true error is 1.0, of the 3 whose error is known.';
+  expect(conclusion(rows)).toBe(`4 rows; ${held} All with the usual tolerance: ${held}`);
+});
+
+test('the median counts exact limits as infinitely good, and leaves out errors below what is not known of the truth', () => {
+  const converging = /** @type {const} */ ({ ...row, status: 'converging', value: 12, bar: 1 });
+  const rows = [
+    { ...converging, truth: 11.5, usual: { ...converging, bar: 4, truth: 10.5 } },
+    { ...converging, truth: 12, doubt: 0 },
+    { ...converging, truth: 11, bar: 2 },
+    { ...converging, truth: 11, bar: 1 },
+  ];
   expect(conclusion(rows)).toBe(
-    '4 rows; 3 have a bar, and 2 of these hold the truth. The median of bar / true error is 1.0.',
+    '4 rows; 4 have a bar, and 4 of these hold the truth. The median of bar / true error is 4.0, of the 3 whose error is known. ' +
+      'All with the usual tolerance: 4 have a bar, and 4 of these hold the truth. ' +
+      'The median of bar / true error is 4.0, of the 4 whose error is known.',
   );
 });
