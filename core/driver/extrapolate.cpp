@@ -47,8 +47,8 @@ double observed_order(double before, double decrease) {
   return before > 0 && decrease > 0 ? std::log2(before / decrease) : kNaN;
 }
 
-/// Whether the last two orders were in the asymptotic range. A first order far above the elements' says that the first of
-/// the levels was not.
+/// Whether the last two orders were in the asymptotic range. A first order far above the elements' says that the first
+/// of the levels was not.
 bool converges_twice(const std::vector<LevelEnergy>& levels, double elements) {
   if (levels.size() < 4 || !levels[levels.size() - 4].minimized) return false;
   const LevelEnergy* last = &levels.back();

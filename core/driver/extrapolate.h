@@ -9,9 +9,9 @@
 /// Were both decreases the elements' error alone, p would be q; what has other orders moves p away to either side. So
 /// the true order is taken to be lower than q by one more than p differs from it, but never below 1: it is at least
 /// m = max(q - |p - q| - 1, 1), and the limit lies in [E3 - d2 / (2^m - 1), E3]. Beside the elements' error functionals
-/// of second order have one of order 2, as curvature at an extraordinary vertex is wrong on an area that falls by 4 with
-/// each level. A sum of both with the observed order p, 2 <= p <= 4, leaves d2 (19 - 2^p) / 45, which is less than what
-/// order p - 1 leaves. For functionals of third order m is 1.
+/// of second order have one of order 2, as curvature at an extraordinary vertex is wrong on an area that falls by 4
+/// with each level. A sum of both with the observed order p, 2 <= p <= 4, leaves d2 (19 - 2^p) / 45, which is less than
+/// what order p - 1 leaves. For functionals of third order m is 1.
 ///
 /// Exception: d2 may be too small to be believed. An error C h^q that decreased by d1 leaves c = d1 / 2^q / (2^q - 1)
 /// after E3. If d2 < 2c, that is if p exceeds q by more than log2((2^q - 1) / 2), elements of order q cannot explain

@@ -11,7 +11,8 @@ const { PI, cos, sin, cosh, sinh, tanh } = Math;
 
 test('a Gauss-Legendre rule of n points is exact up to degree 2 n - 1', () => {
   for (const n of [1, 2, 5, 16]) {
-    const integral = (/** @type {number} */ k) => gaussLegendre(n).reduce((sum, { x, weight }) => sum + weight * x ** k, 0);
+    const integral = (/** @type {number} */ k) =>
+      gaussLegendre(n).reduce((sum, { x, weight }) => sum + weight * x ** k, 0);
     for (let k = 0; k < 2 * n; ++k) expect(integral(k)).toBeCloseTo(k % 2 ? 0 : 2 / (k + 1), 13);
     expect(Math.abs(integral(2 * n) - 2 / (2 * n + 1))).toBeGreaterThan(1e-13);
   }
@@ -35,7 +36,7 @@ describe('the spline through n points of a circle', () => {
       const shorter = heldCircle(32, 0, 1).distance;
       expect(held.angle).toBeCloseTo(Math.atan2(sin(angle), cos(angle) * shorter), 8);
     }
-    expect(heldCircle(16, 0, 1).angle).toBe(PI / 2);
+    expect(heldCircle(16, 0, 1).angle).toBeCloseTo(PI / 2, 14);
   });
 
   test('turns by 2 pi in its plane, and by nothing across it', () => {

@@ -61,11 +61,11 @@ export function heldCircle(around, radial, axial) {
   const step = (2 * PI) / around;
   const control = 6 / (4 + 2 * cos(step)); // so that the spline passes through the circle's points
   const points = [-1, 0, 1, 2].map((i) => [control * cos(i * step), control * sin(i * step), 0]);
+  const combined = (/** @type {number[]} */ weights) =>
+    [0, 1, 2].map((axis) => weights.reduce((sum, weight, i) => sum + weight * points[i][axis], 0));
   let turning = 0;
   const samples = gaussLegendre(16).map(({ x, weight }) => {
-    const [at, first, second] = bases((x + 1) / 2).map((basis) =>
-      [0, 1, 2].map((axis) => dot(basis, points.map((point) => point[axis]))), // prettier-ignore
-    );
+    const [at, first, second] = bases((x + 1) / 2).map(combined);
     const speed = hypot(...first);
     const tangent = first.map((value) => value / speed);
     const distance = hypot(...at);

@@ -58,7 +58,8 @@ test('a row is inside where bar and doubt together reach the truth, and without 
     { ...row, status: /** @type {const} */ ('too_few_levels'), value: 12, bar: null, truth: 10 },
   ];
   expect(tables(rows)[0].rows.map((cells) => cells.at(-1))).toEqual(['yes', '**no**', 'yes', 'too few levels']);
-  const held = '3 have a bar, and 2 of these hold the truth. The median of bar / true error is 1.0, of the 3 whose error is known.';
+  const held =
+    '3 have a bar, and 2 of these hold the truth. The median of bar / true error is 1.0, of the 3 whose error is known.';
   expect(conclusion(rows)).toBe(`4 rows; ${held} All with the usual tolerance: ${held}`);
 });
 
