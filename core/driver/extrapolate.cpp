@@ -47,16 +47,21 @@ double observed_order(double before, double decrease) {
   return before > 0 && decrease > 0 ? std::log2(before / decrease) : kNaN;
 }
 
-/// The least order that the last decrease is taken to go on with. A first order far above the elements' says that the
-/// first of the levels was not in the asymptotic range.
-double least_order(const std::vector<LevelEnergy>& levels, double elements) {
-  if (levels.size() < 4 || !levels[levels.size() - 4].minimized) return 1;
+/// Whether the last two orders were in the asymptotic range. A first order far above the elements' says that the first
+/// of the levels was not.
+bool converges_twice(const std::vector<LevelEnergy>& levels, double elements) {
+  if (levels.size() < 4 || !levels[levels.size() - 4].minimized) return false;
   const LevelEnergy* last = &levels.back();
   const double first = last[-3].energy - last[-2].energy, before = last[-2].energy - last[-1].energy;
   const double earlier = observed_order(first, before);
-  const bool twice = earlier >= kLeastOrder && earlier <= elements + 1 &&
-                     observed_order(before, last[-1].energy - last[0].energy) >= kLeastOrder;
-  return twice ? kLeastOrder : 1;
+  return earlier >= kLeastOrder && earlier <= elements + 1 &&
+         observed_order(before, last[-1].energy - last[0].energy) >= kLeastOrder;
+}
+
+/// The least order that the last decrease is taken to go on with. `order` is the observed one, or NaN.
+double least_order(const std::vector<LevelEnergy>& levels, double elements, double order) {
+  const double least = converges_twice(levels, elements) ? kLeastOrder : 1;
+  return std::isnan(order) ? least : std::max(least, elements - std::abs(order - elements) - 1);
 }
 
 /// The error that is left after the last of `levels`, if an earlier decrease was entirely due to the elements and falls
@@ -98,7 +103,7 @@ LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order
   if (std::abs(decrease) >= 2 * correction) {
     correction = agree ? 0 : decrease / (std::exp2(std::min(order, elements)) - 1);
   }
-  const double most = std::abs(decrease) / (std::exp2(least_order(levels, elements)) - 1);
+  const double most = std::abs(decrease) / (std::exp2(least_order(levels, elements, order)) - 1);
   const double error = std::max(most - correction, correction) + uncertainty;
   const bool caps_included = !third_order || three[2].cap_rings == 0 || three[2].cap_rings > three[1].cap_rings;
   return limit_above(lower_bound, last - correction, order, error, caps_included);

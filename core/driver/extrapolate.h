@@ -4,8 +4,14 @@
 ///
 /// d1 = E1 - E2 and d2 = E2 - E3 are the decreases of the last three levels, p = log2(d1 / d2) is the observed order,
 /// and q the order of bicubic elements: 2 for functionals of third order, 4 for those of second. The limit is
-/// extrapolated with the smaller order: E3 - d2 / (2^min(p,q) - 1). The true order may be as low as 1, so the limit
-/// lies in [E3 - d2, E3].
+/// extrapolated with the smaller order: E3 - d2 / (2^min(p,q) - 1).
+///
+/// Were both decreases the elements' error alone, p would be q; what has other orders moves p away to either side. So
+/// the true order is taken to be lower than q by one more than p differs from it, but never below 1: it is at least
+/// m = max(q - |p - q| - 1, 1), and the limit lies in [E3 - d2 / (2^m - 1), E3]. Beside the elements' error functionals
+/// of second order have one of order 2, as curvature at an extraordinary vertex is wrong on an area that falls by 4
+/// with each level. A sum of both with the observed order p, 2 <= p <= 4, leaves d2 (19 - 2^p) / 45, which is less than
+/// what order p - 1 leaves. For functionals of third order m is 1.
 ///
 /// Exception: d2 may be too small to be believed. An error C h^q that decreased by d1 leaves c = d1 / 2^q / (2^q - 1)
 /// after E3. If d2 < 2c, that is if p exceeds q by more than log2((2^q - 1) / 2), elements of order q cannot explain
@@ -14,8 +20,7 @@
 /// and lies in [E3 - 2c, E3]. If the previous order p' = log2(d0 / d1) is known and p is less than half of it, d1 was
 /// already too small, and c is d0 / 4^q / (2^q - 1).
 ///
-/// Where two decreases in a row had an order from 3/2 to q + 1, the true order is taken to be no lower, and the limit
-/// lies in [E3 - d2 / (2^(3/2) - 1), E3].
+/// Where two decreases in a row had an order from 3/2 to q + 1, m is 3/2 at least.
 ///
 /// Caps (surface/cap.h) leave an error in energies of third order that falls with their width only. Where the narrowest
 /// cap of the last level is wider than that of the level before, d2 knows this error too, as it falls by the same

@@ -72,7 +72,7 @@ export const statusWords = {
   converged: {
     name: 'converged',
     meaning:
-      'Three levels of refinement converge. The energy is their limit, and the bar holds for every order of convergence from 1 on.',
+      'Three levels of refinement converge. The energy is their limit, and the bar also holds for orders of convergence below the observed one.',
   },
   upper_bound: {
     name: 'upper bound',

@@ -35,16 +35,42 @@ TEST(Extrapolate, keeps_the_true_limit_of_a_power_law_inside_its_error) {
   }
 }
 
-TEST(Extrapolate, has_an_error_that_reaches_the_limit_of_every_order_from_1_on) {
+void expect_interval(const LimitReport& limit, double last, double most) {
+  EXPECT_LE(limit.energy - limit.error, last - most + 1e-12);
+  EXPECT_GE(limit.energy + limit.error, last);
+}
+
+TEST(Extrapolate, has_an_error_that_reaches_the_limit_of_every_order_from_1_on_where_the_elements_order_was_not_seen) {
   // From E3 without any further decrease to E3 - d2, where each level halves the decrease.
-  for (const bool third_order : {false, true}) {
-    for (const double order : {1.6, 2.0, 4.0, 6.0}) {
-      const auto levels = sequence(100, 1, order);
-      const double last = levels[2].energy, decrease = levels[1].energy - last;
-      const LimitReport limit = extrapolate(levels, third_order);
-      EXPECT_LE(limit.energy - limit.error, last - decrease + 1e-12);
-      EXPECT_GE(limit.energy + limit.error, last);
-    }
+  const auto expect_reached = [](double order, bool third_order) {
+    const auto levels = sequence(100, 1, order);
+    const double last = levels[2].energy, decrease = levels[1].energy - last;
+    expect_interval(extrapolate(levels, third_order), last, decrease);
+  };
+  for (const double order : {1.6, 2.0, 2.5, 4.0, 6.0}) expect_reached(order, true);
+  for (const double order : {1.6, 2.0, 6.0}) expect_reached(order, false);
+}
+
+TEST(Extrapolate, takes_the_true_order_for_lower_than_the_elements_by_one_more_than_the_observed_is_off) {
+  for (const auto& [order, least] : {std::pair{2.5, 1.5}, {3.0, 2.0}, {3.7, 2.7}, {4.0, 3.0}, {4.5, 2.5}, {5.5, 1.5}}) {
+    const auto levels = sequence(100, 1, order);
+    const double last = levels[2].energy, decrease = levels[1].energy - last;
+    const double most = decrease / (std::exp2(least) - 1);
+    const LimitReport limit = extrapolate(levels, false);
+    expect_interval(limit, last, most);
+    const double correction = last - limit.energy;
+    EXPECT_NEAR(limit.error, std::max(most - correction, correction), 1e-8) << order << " and no wider";
+  }
+}
+
+TEST(Extrapolate, knows_what_extraordinary_vertices_leave_of_second_order) {
+  // E + C h^4 + D h^2: curvature is wrong on an area that falls as h^2.
+  for (const double vertices : {-0.1, -0.01, 0.0, 0.01, 0.1, 1.0, 10.0, 1000.0}) {
+    std::vector<LevelEnergy> levels;
+    for (const double h : {1.0, 0.5, 0.25}) levels.push_back({100 + std::pow(h, 4) + vertices * h * h, 0, 100, true});
+    const LimitReport limit = extrapolate(levels, false);
+    ASSERT_EQ(limit.status, LimitStatus::kConverging);
+    EXPECT_LE(std::abs(limit.energy - 100), limit.error) << vertices;
   }
 }
 

@@ -7,14 +7,15 @@ import { blends, knownLimits } from './known_limits.js';
 import { conclusion, tables } from './limits.js';
 import { leastProfile, profileEnergies } from './profiles.js';
 
-test('there are sixty problems and more, no two alike, each with one truth for all its cages', () => {
+test('there are sixty problems and more, no two alike, each with one truth for all cages that hold the same', () => {
   expect(knownLimits.length).toBeGreaterThanOrEqual(60);
   expect(new Set(knownLimits.map(({ problem }) => JSON.stringify(problem))).size).toBe(knownLimits.length);
   /** @type {Map<string, number>} */
   const truths = new Map();
   for (const { what, truth, problem } of knownLimits) {
     const { half_angle, height, radius } = /** @type {any} */ (problem.cage);
-    const key = JSON.stringify([what, problem.terms, half_angle, height, radius]);
+    const around = problem.constraints ? /** @type {any} */ (problem.cage).segments[0] : null;
+    const key = JSON.stringify([what, problem.terms, half_angle, height, radius, around]);
     expect(truths.get(key) ?? truth).toBe(truth);
     truths.set(key, truth);
   }
@@ -57,7 +58,22 @@ test('a row is inside where bar and doubt together reach the truth, and without 
     { ...row, status: /** @type {const} */ ('too_few_levels'), value: 12, bar: null, truth: 10 },
   ];
   expect(tables(rows)[0].rows.map((cells) => cells.at(-1))).toEqual(['yes', '**no**', 'yes', 'too few levels']);
+  const held =
+    '3 have a bar, and 2 of these hold the truth. The median of bar / true error is 1.0, of the 3 whose error is known.';
+  expect(conclusion(rows)).toBe(`4 rows; ${held} All with the usual tolerance: ${held}`);
+});
+
+test('the median counts exact limits as infinitely good, and leaves out errors below what is not known of the truth', () => {
+  const converging = /** @type {const} */ ({ ...row, status: 'converging', value: 12, bar: 1 });
+  const rows = [
+    { ...converging, truth: 11.5, usual: { ...converging, bar: 4, truth: 10.5 } },
+    { ...converging, truth: 12, doubt: 0 },
+    { ...converging, truth: 11, bar: 2 },
+    { ...converging, truth: 11, bar: 1 },
+  ];
   expect(conclusion(rows)).toBe(
-    '4 rows; 3 have a bar, and 2 of these hold the truth. The median of bar / true error is 1.0.',
+    '4 rows; 4 have a bar, and 4 of these hold the truth. The median of bar / true error is 4.0, of the 3 whose error is known. ' +
+      'All with the usual tolerance: 4 have a bar, and 4 of these hold the truth. ' +
+      'The median of bar / true error is 4.0, of the 4 whose error is known.',
   );
 });

@@ -7,6 +7,7 @@
  * A profile (r(t), z(t)) with a mirror has r = sum a_k cos k t and z = sum b_k sin k t. With v = |(r', z')| its curvature
  * is N / v^3, N = r' z'' - z' r'', and that around the axis z' / (r v). Both change along the profile only.
  */
+import { minimum } from './minimum.js';
 
 const { PI } = Math;
 
@@ -57,56 +58,6 @@ export function profileEnergies(terms) {
 }
 
 /**
- * The minimum of f near x by BFGS with central differences.
- * @param {(x: number[]) => number} f
- * @param {number[]} start
- * @returns {{ value: number, x: number[] }}
- */
-function minimum(f, start) {
-  const n = start.length;
-  const gradient = (/** @type {number[]} */ x) =>
-    x.map((_, i) => {
-      const h = 1e-5;
-      const moved = (/** @type {number} */ s) => f(x.map((value, j) => (j === i ? value + s * h : value)));
-      return (8 * (moved(1) - moved(-1)) - (moved(2) - moved(-2))) / (12 * h);
-    });
-  const dot = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
-    a.reduce((sum, value, i) => sum + value * b[i], 0);
-  // Short steps in high frequencies to begin with: their curvature grows with the sixth power.
-  const inverse = start.map((_, i) => {
-    const k = i <= (n - 1) / 2 ? i : i - (n - 1) / 2;
-    return start.map((__, j) => (i === j ? 1e-3 / (1 + k ** 4) : 0));
-  });
-  let [x, value, slope] = [start, f(start), gradient(start)];
-  for (let iteration = 0; iteration < 2000; ++iteration) {
-    const direction = inverse.map((row) => -dot(row, slope));
-    const descent = dot(direction, slope);
-    if (!(descent < -1e-13 * Math.abs(value))) break;
-    let length = 1;
-    let next = x;
-    let nextValue = NaN;
-    for (; length > 1e-12; length /= 2) {
-      next = x.map((v, i) => v + length * direction[i]);
-      nextValue = f(next);
-      if (nextValue <= value + 1e-4 * length * descent) break;
-    }
-    if (length <= 1e-12) break;
-    const nextSlope = gradient(next);
-    const s = next.map((v, i) => v - x[i]);
-    const y = nextSlope.map((v, i) => v - slope[i]);
-    const sy = dot(s, y);
-    if (sy > 0) {
-      const hy = inverse.map((row) => dot(row, y));
-      const factor = (1 + dot(y, hy) / sy) / sy;
-      for (let i = 0; i < n; ++i)
-        for (let j = 0; j < n; ++j) inverse[i][j] += factor * s[i] * s[j] - (hy[i] * s[j] + s[i] * hy[j]) / sy;
-    }
-    [x, value, slope] = [next, nextValue, nextSlope];
-  }
-  return { value, x };
-}
-
-/**
  * The least weighted sum, from a torus whose tube is a circle.
  * @param {Energies} weights
  * @param {number} [terms]
@@ -117,8 +68,11 @@ export function leastProfile(weights, terms = 12, ratio = 0.5) {
   const start = Array.from({ length: 2 * terms + 1 }, (_, i) =>
     i === 0 ? 1 / ratio : i === 1 || i === terms + 1 ? 1 : 0,
   );
-  return minimum((c) => {
+  // The curvature of high frequencies grows with the sixth power; these are short steps for them to begin with.
+  const scales = start.map((_, i) => 1e-3 / (1 + (i <= terms ? i : i - terms) ** 4));
+  const energy = (/** @type {number[]} */ c) => {
     const { bending, mvs_cross } = energies(c);
     return weights.bending * bending + weights.mvs_cross * mvs_cross;
-  }, start);
+  };
+  return minimum(energy, start, scales);
 }
