@@ -20,6 +20,7 @@ import { markdownTable, plainTable, replaceBetween } from './bench/tables.js';
 import * as threads from './bench/threads.js';
 import * as throughput from './bench/throughput.js';
 import * as unsymmetric from './bench/unsymmetric.js';
+import * as wasmThreads from './bench/wasm_threads.js';
 import { build } from './build.js';
 import { installPackages, installTools } from './install.js';
 import { root } from './process.js';
@@ -41,6 +42,7 @@ const subjects = {
   overhead,
   scaling,
   threads,
+  'wasm-threads': wasmThreads,
   estimates,
   evolver,
   quadrature,
@@ -93,7 +95,7 @@ const programs = wanted.join() !== 'limits';
 if (!(await installTools('native', ...(programs ? /** @type {const} */ (['wasm']) : []))) || !(await installPackages()))
   process.exit(1);
 if (!(await build('native', 'umbilic', ...(programs ? ['umbilic_bench'] : [])))) process.exit(1);
-if (programs && !(await build('wasm', 'umbilic_bench'))) process.exit(1);
+if (programs && !(await build('wasm', 'umbilic_bench', 'umbilic-core', 'umbilic-core-threads'))) process.exit(1);
 for (const name of wanted.length ? wanted : byDefault) {
   const start = performance.now();
   const measured = await subjects[name].measure();
