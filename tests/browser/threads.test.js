@@ -20,8 +20,8 @@ afterAll(() => browser?.close());
 
 /** Which parts of the core were loaded, without what tells versions apart. @param {string[]} requests */
 const loaded = (requests) => {
-  const names = requests.map((url) => /\/(umbilic-core(-threads)?|thread)-[\w-]+\.(wasm|js)$/.exec(url));
-  return [...new Set(names.map((name) => name && `${name[1]}.${name[3]}`))].filter(Boolean).sort();
+  const names = requests.map((url) => /\/(?:umbilic-)?(core(?:-threads)?|thread)-[\w-]+\.(wasm|js)$/.exec(url));
+  return [...new Set(names.map((name) => name && `${name[1]}.${name[2]}`))].filter(Boolean).sort();
 };
 
 /** Minimizes a cage with enough patches for all loops to be shared. @param {Page} page */
@@ -66,13 +66,13 @@ describe('the studio', () => {
   }, 60_000);
 
   test('has no threads where the host sends no headers', () =>
-    expect(alone).toMatchObject({ isolated: false, loaded: ['umbilic-core.wasm'], errors: [] }));
+    expect(alone).toMatchObject({ isolated: false, loaded: ['core.wasm'], errors: [] }));
 
   test('has threads under the headers of npm start, and ends with the same energies', async () => {
     const shared = await visit({ headers });
     expect(shared).toMatchObject({ isolated: true, errors: [], result: alone.result });
-    expect(shared.loaded).toEqual(expect.arrayContaining(['thread.js', 'umbilic-core-threads.wasm']));
-    expect(shared.loaded).not.toContain('umbilic-core.wasm');
+    expect(shared.loaded).toEqual(expect.arrayContaining(['thread.js', 'core-threads.wasm']));
+    expect(shared.loaded).not.toContain('core.wasm');
   }, 60_000);
 
   test.each([
@@ -94,6 +94,6 @@ describe('the studio', () => {
       await measured(page);
     });
     expect(second).toMatchObject({ isolated: true, errors: [], result: alone.result });
-    expect(second.loaded).toContain('umbilic-core-threads.wasm');
+    expect(second.loaded).toContain('core-threads.wasm');
   }, 60_000);
 });
