@@ -86,7 +86,7 @@ size_t umbilic_copy_message(char* buffer, size_t capacity);
 
 /**
  * Sets how many threads compute, 1 to 256, for all calls together; one until then. Results are the same for every
- * number. Not while another function runs. Without effect in WebAssembly.
+ * number. Not while another function runs. In WebAssembly as far as JavaScript has made workers for them.
  */
 umbilic_status umbilic_use_threads(int32_t count);
 

@@ -3,14 +3,10 @@
 /// The texts that are kept for each thread.
 #include "wasm/guard.h"
 
+#include <pthread.h>
+
 #include <memory>
 #include <utility>
-
-#include "base/threads.h"
-
-#if UMBILIC_HAS_THREADS
-#include <pthread.h>
-#endif
 
 namespace umbilic::api {
 namespace {
@@ -21,10 +17,8 @@ struct Texts {
   std::string message, answer;
 };
 
-#if UMBILIC_HAS_THREADS
-
 /// Frees the texts of threads that end. A `thread_local` object with a destructor would end the process instead where
-/// there is no memory to register it.
+/// there is no memory to register it, and WebAssembly's module without threads has no memory for any.
 pthread_key_t key_of_texts() {
   static const pthread_key_t key = [] {
     pthread_key_t made;
@@ -36,25 +30,15 @@ pthread_key_t key_of_texts() {
 
 /// The texts of this thread; null if there is no memory for them.
 Texts* texts() noexcept {
-  thread_local Texts* of_thread = nullptr;
-  if (of_thread) return of_thread;
   try {
     const pthread_key_t key = key_of_texts();
+    if (void* kept = pthread_getspecific(key)) return static_cast<Texts*>(kept);
     auto made = std::make_unique<Texts>();
-    if (pthread_setspecific(key, made.get()) == 0) of_thread = made.release();
+    if (pthread_setspecific(key, made.get()) == 0) return made.release();
   } catch (const std::bad_alloc&) {
   }
-  return of_thread;
+  return nullptr;
 }
-
-#else
-
-Texts* texts() noexcept {
-  static Texts the_texts;
-  return &the_texts;
-}
-
-#endif
 
 }  // namespace
 

@@ -5,81 +5,53 @@
  * reaches the caller as an `Error` with a message.
  */
 
-import createCore from '../build/wasm/umbilic-core.mjs';
+import { loadCore } from './loading.js';
 import { InputError, parse } from './values.js';
 
 /** @import {Core} from '../build/wasm/umbilic-core.mjs' */
+/** @import {ThreadedCore} from '../build/wasm/umbilic-core-threads.mjs' */
+/** @import {Loaded} from './loading.js' */
 /** @import {Mesh} from './types.js' */
 
 /** UMBILIC_API_VERSION of the contract for which this file was written. */
 const API_VERSION = 3;
 
+/** The most threads that umbilic_use_threads takes. */
+const MOST_THREADS = 256;
+
 /** Size of the buffer for a call's results; the largest is umbilic_mesh_arrays, nine words of 32 bits and three doubles. */
 const SCRATCH_BYTES = 128;
 
-const ownWasmUrl = new URL('../build/wasm/umbilic-core.wasm', import.meta.url);
-
 /**
- * Where the module comes from: one of these, or else the file umbilic-core.wasm of the package or the build folder.
+ * Where the module comes from: one of the first three, or else the file umbilic-core.wasm or umbilic-core-threads.wasm of the
+ * package or the build folder.
  * @typedef {object} LoadOptions
  * @property {string | URL} [wasmUrl] address of a copy of that file; in Node also its path
  * @property {ArrayBuffer | Uint8Array} [wasmBinary] its bytes
  * @property {WebAssembly.Module} [module] its bytes, compiled; can be sent to workers
+ * @property {number | 'later'} [threads] how many compute; `later`: one until `useThreads` is called. Unless it is 1, what is given
+ *   is umbilic-core-threads.wasm. By default 1 in Node and for a given module, else one per processor, but 8 at most. Without
+ *   effect on a page that is not cross-origin isolated, and outside of workers, where nothing may wait
  */
 
-/** @type {Core | null} */
+/** @type {Loaded | null} */
 let loaded = null;
 /** @type {Promise<void> | null} */
 let loading = null;
+/** Counts calls of `useThreads`, of which the last one counts. */
+let wishes = 0;
 let scratch = 0;
 /** Why the module can no longer be called; null if it can. @type {Error | null} */
 let broken = null;
 
-/**
- * Reads the binary in Node, where Emscripten's loader cannot fetch it.
- * @param {string | URL} wasmUrl
- * @returns {Promise<ArrayBuffer | Uint8Array | undefined>} undefined in a browser
- */
-async function readBinaryInNode(wasmUrl) {
-  if (!globalThis.process?.versions?.node) return undefined;
-  const { readFileSync } = process.getBuiltinModule('node:fs');
-  const url = URL.canParse(wasmUrl) ? new URL(wasmUrl) : null;
-  if (!url) return readFileSync(wasmUrl);
-  if (url.protocol === 'file:') return readFileSync(process.getBuiltinModule('node:url').fileURLToPath(url.href));
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url} answers ${response.status}`);
-  return response.arrayBuffer();
-}
-
-/** @param {WebAssembly.Module} module @returns {Promise<Core>} */
-function createFromModule(module) {
-  return new Promise((resolve, reject) => {
-    createCore({
-      instantiateWasm(imports, receive) {
-        WebAssembly.instantiate(module, imports).then(receive).catch(reject);
-        return {};
-      },
-    }).then(resolve, reject);
-  });
-}
-
-/** @param {LoadOptions} options @returns {Promise<Core>} */
-async function create({ wasmUrl, wasmBinary, module }) {
-  const given = Object.entries({ wasmUrl, wasmBinary, module }).filter(([, value]) => value !== undefined);
-  if (given.length > 1) throw new TypeError(`load: ${given.map(([name]) => name).join(' and ')} are given, not one`);
-  if (module) return createFromModule(module);
-  const url = wasmUrl ?? ownWasmUrl;
-  const bytes = wasmBinary ?? (await readBinaryInNode(url));
-  return createCore(bytes ? { wasmBinary: bytes } : { locateFile: () => String(url) });
-}
-
 /** @param {LoadOptions} options */
 async function instantiate(options) {
-  const made = await create(options);
-  const version = made._umbilic_api_version();
+  const made = await loadCore(options);
+  const version = made.core._umbilic_api_version();
   if (version !== API_VERSION) throw new Error(`the module has version ${version} of the contract, not ${API_VERSION}`);
-  scratch = made._malloc(SCRATCH_BYTES) >>> 0;
+  scratch = made.core._malloc(SCRATCH_BYTES) >>> 0;
   loaded = made;
+  if (made.threads !== 1) await useThreads(made.threads);
 }
 
 /**
@@ -95,11 +67,28 @@ export function load(options = {}) {
   return loading;
 }
 
-/** @returns {Core} */
-function core() {
+/** @returns {Loaded} */
+function ready() {
   if (!loaded) throw new Error('umbilic is not loaded: await load() first');
   return loaded;
 }
+
+const core = () => ready().core;
+
+/** The module's memory, which is another buffer after it has grown; Emscripten's own views do not see what other threads do. */
+function memory() {
+  const { HEAPU8, wasmMemory } = /** @type {ThreadedCore} */ (core());
+  return wasmMemory ? wasmMemory.buffer : HEAPU8.buffer;
+}
+
+const bytesOf = (/** @type {number} */ pointer, /** @type {number} */ count) =>
+  new Uint8Array(memory(), pointer, count);
+const wordsOf = (/** @type {number} */ pointer, /** @type {number} */ count) =>
+  new Uint32Array(memory(), pointer, count);
+const floatsOf = (/** @type {number} */ pointer, /** @type {number} */ count) =>
+  new Float32Array(memory(), pointer, count);
+const doublesOf = (/** @type {number} */ pointer, /** @type {number} */ count) =>
+  new Float64Array(memory(), pointer, count);
 
 /**
  * Runs a function in the module. A trap may leave the module's memory inconsistent, so the module refuses all later
@@ -156,6 +145,20 @@ export function call(name, ...args) {
   throw new Error(`umbilic_${name}: ${message}`);
 }
 
+/**
+ * Sets how many threads compute from now on: so many, or as many as there can be.
+ * @param {number} count @returns {Promise<number>} how many they are
+ */
+export async function useThreads(count) {
+  if (!Number.isInteger(count) || count < 1 || count > MOST_THREADS) {
+    throw new InputError(`${count} threads: from 1 to ${MOST_THREADS} can compute, in whole numbers`);
+  }
+  const wish = ++wishes;
+  const threads = await ready().prepareThreads(count);
+  if (wish === wishes) call('use_threads', threads);
+  return threads;
+}
+
 /** Calls a function that cannot fail. @param {string} name @param {...number} args @returns {number} */
 export const plainCall = (name, ...args) => inModule((module) => module[`_umbilic_${name}`](...args));
 
@@ -165,7 +168,7 @@ export function destroy(type, handle) {
 }
 
 /** The first 32-bit words that the last call has written. @param {number} count */
-const handedBack = (count) => Array.from(core().HEAPU32.subarray(scratch >>> 2, (scratch >>> 2) + count));
+const handedBack = (count) => Array.from(wordsOf(scratch, count));
 
 /** The result of a call whose last argument receives a 32-bit word: a handle or a truth value. @param {string} name @param {...number} args */
 export function wordFrom(name, ...args) {
@@ -176,14 +179,14 @@ export function wordFrom(name, ...args) {
 /** The result of a call whose last argument receives a double. @param {string} name @param {...number} args */
 export function numberFrom(name, ...args) {
   call(name, ...args, scratch);
-  return core().HEAPF64[scratch >>> 3];
+  return doublesOf(scratch, 1)[0];
 }
 
 /** The result of a call whose last argument receives a text. @param {string} name @param {...number} args @returns {string} */
 export function textFrom(name, ...args) {
   call(name, ...args, scratch);
   const [pointer, length] = handedBack(2);
-  return new TextDecoder().decode(core().HEAPU8.subarray(pointer, pointer + length));
+  return new TextDecoder().decode(bytesOf(pointer, length).slice()); // which takes no shared memory
 }
 
 /** The result of a call whose last argument receives JSON text. @param {string} name @param {...number} args @returns {any} */
@@ -211,7 +214,7 @@ export const withText = (text, use) => withBytes(new TextEncoder().encode(text),
 export function withBytes(bytes, use) {
   const pointer = allocate(bytes.length + 1);
   try {
-    core().HEAPU8.set(bytes, pointer);
+    bytesOf(pointer, bytes.length).set(bytes);
     return use(pointer, bytes.length);
   } finally {
     if (!broken) core()._free(pointer);
@@ -229,7 +232,7 @@ export function withPoints(points, use) {
   if (!points) return use(0, 0);
   const pointer = allocate(Math.max(8, points.byteLength));
   try {
-    core().HEAPF64.set(points, pointer >>> 3);
+    doublesOf(pointer, points.length).set(points);
     return use(pointer, points.length / 3);
   } finally {
     if (!broken) core()._free(pointer);
@@ -243,7 +246,7 @@ export function withPoints(points, use) {
 export function stateOf(name, handle) {
   call(name, handle, scratch, scratch + 4, scratch + 8);
   const [level, pointer, count] = handedBack(3);
-  return { level, points: core().HEAPF64.slice(pointer >>> 3, (pointer >>> 3) + 3 * count) };
+  return { level, points: doublesOf(pointer, 3 * count).slice() };
 }
 
 /** Copies of a mesh's arrays. @param {number} mesh @returns {Mesh} */
@@ -253,13 +256,11 @@ export function copyMesh(mesh) {
   const [positions, normals, curvatures, triangles, faces, edges, vertexCount, triangleCount, edgeCount] =
     handedBack(9);
   /** @param {number} pointer @param {number} count */
-  const floats = (pointer, count) =>
-    pointer ? core().HEAPF32.slice(pointer >>> 2, (pointer >>> 2) + count) : new Float32Array(0);
+  const floats = (pointer, count) => (pointer ? floatsOf(pointer, count).slice() : new Float32Array(0));
   /** @param {number} pointer @param {number} count */
-  const indices = (pointer, count) =>
-    pointer ? core().HEAPU32.slice(pointer >>> 2, (pointer >>> 2) + count) : new Uint32Array(0);
+  const indices = (pointer, count) => (pointer ? wordsOf(pointer, count).slice() : new Uint32Array(0));
   return {
-    centre: core().HEAPF64.slice((scratch + 40) >>> 3, (scratch + 64) >>> 3),
+    centre: doublesOf(scratch + 40, 3).slice(),
     positions: floats(positions, 3 * vertexCount),
     normals: floats(normals, 3 * vertexCount),
     curvatures: floats(curvatures, 2 * vertexCount),
@@ -274,7 +275,7 @@ export function copyMeshWithDensities(mesh) {
   const arrays = copyMesh(mesh);
   call('mesh_densities', mesh, scratch, scratch + 4);
   const [pointer, count] = handedBack(2);
-  return { ...arrays, densities: core().HEAPF32.slice(pointer >>> 2, (pointer >>> 2) + count) };
+  return { ...arrays, densities: floatsOf(pointer, count).slice() };
 }
 
 /**

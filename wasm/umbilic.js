@@ -39,7 +39,7 @@ import { InputError, mayBeBinary, parse } from './values.js';
  * Mesh, Problem, Progress, Report, Targets, Terms, TorusMinimizer} from './types.js'
  */
 
-export { load } from './memory.js';
+export { load, useThreads } from './memory.js';
 export * from './types.js';
 export { InputError } from './values.js';
 

@@ -34,4 +34,5 @@ export default defineConfig([
     languageOptions: { globals: globals.browser },
   },
   { files: ['wasm/**/*.js'], languageOptions: { globals: { ...globals['shared-node-browser'], process: 'readonly' } } },
+  { files: ['wasm/{loading,thread}.js'], languageOptions: { globals: globals.worker } },
 ]);

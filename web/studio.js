@@ -6,6 +6,7 @@ import { parseStudioAddress } from './address/studio.js';
 import { allQuantities, computedOf, deviation } from './colour/quantities.js';
 import { saveFile } from './files/save.js';
 import { storeTheme, storedTheme } from './files/theme.js';
+import { isolateNextVisit } from './pages/isolation.js';
 import { createDesk } from './pages/studio/desk.js';
 import { createKeeper } from './pages/studio/keeper.js';
 import { linkOf, problemIn } from './pages/studio/link.js';
@@ -263,3 +264,4 @@ try {
   createUndrawnView(byId('surface')).tell('unloaded');
 }
 show();
+isolateNextVisit();

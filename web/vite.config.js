@@ -9,27 +9,16 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { noticesFile, packageNotices } from '../tests/run/licences.js';
+import { headers, policy } from './headers.js';
 import { tablesHtml } from './pages/methods/tables.js';
 
 const web = path.dirname(fileURLToPath(import.meta.url));
 const outDir = path.join(web, '../build/web');
+const serviceWorker = 'service_worker.js';
 const pages = readdirSync(web).filter((name) => name.endsWith('.html'));
 
 /** A file of pages/ that pages contain, without its comments. @param {string} name */
 const shared = (name) => readFileSync(path.join(web, 'pages', name), 'utf8').replace(/<!--.*?-->\s*/gs, '');
-
-/**
- * What a built page may load and do: nothing that is not served beside it, and no code or style in the HTML. Workers get
- * theirs from a server's headers alone, and the core is WebAssembly.
- */
-const policy = [
-  "default-src 'self'",
-  "script-src 'self' 'wasm-unsafe-eval'",
-  "img-src 'self' data: blob:",
-  "object-src 'none'",
-  "base-uri 'none'",
-  "form-action 'none'",
-].join('; ');
 
 /** Puts the policy before all that it is about. The development server needs scripts in the HTML. @returns {import('vite').Plugin} */
 function securityPolicy() {
@@ -153,9 +142,12 @@ export default defineConfig({
     emptyOutDir: true,
     chunkSizeWarningLimit: 1500, // kB; three.js is one chunk
     rolldownOptions: {
-      input: pages.map((name) => path.join(web, name)),
+      input: [...pages, serviceWorker].map((name) => path.join(web, name)),
       // Puts the code that pages share into one file, because each additional file takes time to load.
       output: {
+        // A service worker keeps its address, and is about what lies below it.
+        entryFileNames: ({ facadeModuleId }) =>
+          facadeModuleId?.endsWith(serviceWorker) ? serviceWorker : 'assets/[name]-[hash].js',
         codeSplitting: {
           groups: [{ name: 'common', test: /web.(address|colour|files|plot|views|words)./, minShareCount: 2 }],
         },
@@ -163,8 +155,6 @@ export default defineConfig({
     },
   },
   worker: { format: 'es', plugins: () => [contents()] },
-  preview: {
-    headers: { 'Content-Security-Policy': `${policy}; frame-ancestors 'none'`, 'X-Content-Type-Options': 'nosniff' },
-  },
+  preview: { headers },
   server: { fs: { allow: [path.join(web, '..')] } }, // the module of build/wasm
 });

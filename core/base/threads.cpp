@@ -3,8 +3,7 @@
 /// The threads wait for jobs. The thread that has a job for them works on it, too, so that it needs none of them.
 #include "base/threads.h"
 
-#if UMBILIC_HAS_THREADS
-
+#include <algorithm>
 #include <cassert>
 #include <exception>
 #include <list>
@@ -211,15 +210,3 @@ void StagedPieces::give_up() {
 }
 
 }  // namespace umbilic
-
-#else
-
-namespace umbilic {
-
-void RisingNumber::raise(int to) { value_ = std::max<int>(to, value_); }
-
-void RisingNumber::wait_for(int) const {}
-
-}  // namespace umbilic
-
-#endif

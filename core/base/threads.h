@@ -13,42 +13,29 @@
 ///              [&](int p, int slot) { sum += blocks[slot]; });
 ///
 /// The budget is the process's: a loop within another one's piece is helped by the threads that have nothing else to
-/// do, so that nested loops do not multiply threads. With one thread, as in WebAssembly, all of them are plain loops.
+/// do, so that nested loops do not multiply threads. With one thread all of them are plain loops. In WebAssembly threads
+/// run in workers that JavaScript has made before, and the module without shared memory has none.
 #pragma once
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
+#include <mutex>
 #include <span>
 #include <vector>
 
-#if !defined(__EMSCRIPTEN__) || defined(__EMSCRIPTEN_PTHREADS__)
-#define UMBILIC_HAS_THREADS 1
-#include <condition_variable>
-#include <mutex>
-#else
-#define UMBILIC_HAS_THREADS 0
-#endif
-
 namespace umbilic {
-
-inline constexpr bool kHasThreads = UMBILIC_HAS_THREADS;
 
 /// The most threads that can be asked for.
 inline constexpr int kMostThreads = 256;
 
-#if UMBILIC_HAS_THREADS
 /// Number of threads that compute at the same time, the calling one included; 1 until `use_threads` is called.
 int thread_count();
 /// Sets `thread_count`, to 1 up to kMostThreads. Not while anything is computed.
 void use_threads(int count);
 /// Number of threads that this process may run at the same time, at most kMostThreads.
 int hardware_threads();
-#else
-constexpr int thread_count() { return 1; }
-inline void use_threads(int) {}
-constexpr int hardware_threads() { return 1; }
-#endif
 
 /// Results of `in_order` that wait to be taken: so many that threads seldom wait for each other.
 inline int slot_count() { return thread_count() == 1 ? 1 : 4 * thread_count(); }
@@ -65,8 +52,6 @@ class RisingNumber {
  private:
   std::atomic<int> value_ = 0;
 };
-
-#if UMBILIC_HAS_THREADS
 
 /// A reference to something that can be called with an int; it outlives the call that it is passed to.
 class IntCall {
@@ -133,12 +118,9 @@ class StagedPieces {
   RisingNumber stage_;        // the number of stages once all have ended
 };
 
-#endif
-
 /// Calls body(i, member) for each i < count, on several threads, each of which has another `member` < thread_count().
 template <class Body>
 void parallel_for(int count, const Body& body) {
-#if UMBILIC_HAS_THREADS
   if (thread_count() > 1 && count > 1) {
     std::atomic<int> next = 0;
     const auto work = [&](int member) {
@@ -151,7 +133,6 @@ void parallel_for(int count, const Body& body) {
     };
     return work_together(work);
   }
-#endif
   for (int i = 0; i < count; ++i) body(i, 0);
 }
 
@@ -160,7 +141,6 @@ void parallel_for(int count, const Body& body) {
 /// memory of the slot, of which there are `slots`, at most slot_count(), stays there until it is taken.
 template <class Compute, class Take>
 void in_order(int count, int slots, const Compute& compute, const Take& take) {
-#if UMBILIC_HAS_THREADS
   if (thread_count() > 1 && slots > 1 && count > 1) {
     OrderedPieces pieces(count, slots);
     const auto take_piece = [&](int i) { take(i, i % slots); };
@@ -177,9 +157,6 @@ void in_order(int count, int slots, const Compute& compute, const Take& take) {
     };
     return work_together(work);
   }
-#else
-  (void)slots;
-#endif
   for (int i = 0; i < count; ++i) {
     compute(i, 0, 0);
     take(i, 0);
@@ -190,7 +167,6 @@ void in_order(int count, int slots, const Compute& compute, const Take& take) {
 /// `parallel_for`; for none of a stage before all calls for the stage before have ended.
 template <class Body>
 void in_stages(std::span<const int> counts, const Body& body) {
-#if UMBILIC_HAS_THREADS
   if (thread_count() > 1) {
     StagedPieces pieces(counts);
     const auto work = [&](int member) {
@@ -206,7 +182,6 @@ void in_stages(std::span<const int> counts, const Body& body) {
     };
     return work_together(work);
   }
-#endif
   for (std::size_t stage = 0; stage < counts.size(); ++stage) {
     for (int i = 0; i < counts[stage]; ++i) body(static_cast<int>(stage), i, 0);
   }

@@ -139,7 +139,7 @@ struct SparseCholesky::Steps {
 };
 
 void SparseCholesky::eliminate_top() {
-  const bool shared = kHasThreads && split_.shared;
+  const bool shared = split_.shared;
   const double until = flops_done_ + (shared ? kFactorPartsPerThread * sharing_ : 1) * kFlopsPerPart;
   Steps steps;
   for (; next_ < split_.top.size() && flops_done_ < until && !shared_->failed; ++next_) {

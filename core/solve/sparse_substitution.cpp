@@ -64,7 +64,7 @@ void SparseCholesky::solve_in_place(Right& right) const {
     right.array().colwise() /= pivot_.array();
     for (auto s = split_.top.rbegin(); s != split_.top.rend(); ++s) substitute_back(nodes[*s], right, rest);
   };
-  if (!kHasThreads || subtrees == 0) return at_top();
+  if (subtrees == 0) return at_top();
   const int pieces[] = {subtrees, 1, subtrees};
   in_stages(pieces, [&](int stage, int piece, int) {
     if (stage == 0) return forward(piece);

@@ -43,7 +43,7 @@ TreeSplit::TreeSplit(const EliminationTree& tree, int threads) {
   }
   std::vector<int> roots;
   const auto less = [&](int a, int b) { return work[a] != work[b] ? work[a] < work[b] : a > b; };
-  shared = kHasThreads && threads > 1 && all >= kLeastShared;
+  shared = threads > 1 && all >= kLeastShared;
   if (shared) {
     for (std::size_t s = 0; s < nodes.size(); ++s) {
       if (!has_parent[s]) roots.push_back(static_cast<int>(s));

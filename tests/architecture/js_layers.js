@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file Checks on the layers of the JavaScript: one file touches WebAssembly memory; only the worker imports it; views
+ * @file Checks on the layers of the JavaScript: one file touches WebAssembly memory, and two load it; only the worker imports it; views
  * import neither; pages do not import each other; and the home page loads neither the core nor three.js. Every check
  * returns the problems that it finds, one line each.
  */
@@ -11,6 +11,8 @@ import { matching } from './tree.js';
 /** @typedef {import('./tree.js').Files} Files */
 
 const memory = 'wasm/memory.js';
+/** What loads the module, and joins its memory. */
+const loaders = ['wasm/loading.js', 'wasm/thread.js'];
 const gateway = 'wasm/umbilic.js';
 
 /**
@@ -49,7 +51,7 @@ export function imports(file, text) {
 }
 
 /**
- * Only one file uses the module's memory.
+ * Only one file uses the module's memory, apart from those that load it.
  * @param {Files} files
  * @returns {string[]}
  */
@@ -57,12 +59,12 @@ export function memoryAccess(files) {
   return matching(files, /^(web|wasm|tests\/(core|wasm|web|browser|bench))\/.*\.m?js$/).flatMap(([file, text]) => {
     /** @type {string[]} */
     const problems = [];
-    if (file === memory) return problems;
+    if (file === memory || loaders.includes(file)) return problems;
     walk(parseAst(text), (node) => {
       if (node.type === 'Identifier' && /^(HEAPU?(8|16|32|64)|HEAPF(32|64)|WebAssembly)$/.test(node.name)) {
         problems.push(`${file} uses ${node.name}`);
       }
-      if (node.type === 'Literal' && /umbilic-core\.(mjs|wasm)$/.test(String(node.value)))
+      if (node.type === 'Literal' && /umbilic-core(-threads)?\.(mjs|wasm)$/.test(String(node.value)))
         problems.push(`${file} names ${node.value}`);
     });
     return problems;

@@ -23,6 +23,7 @@ describe('the checks fail on', () => {
     ['new WebAssembly.Memory({ initial: 1 });', 'web/a.js uses WebAssembly'],
     ["import core from '../build/wasm/umbilic-core.mjs';", 'web/a.js names ../build/wasm/umbilic-core.mjs'],
     ["new URL('../build/wasm/umbilic-core.wasm', import.meta.url);", 'web/a.js names ../build/wasm/umbilic-core.wasm'],
+    ["import('../build/wasm/umbilic-core-threads.mjs');", 'web/a.js names ../build/wasm/umbilic-core-threads.mjs'],
   ])('%s outside the file that owns the memory', (text, problem) => {
     expect(memoryAccess(new Map([['web/a.js', text]]))).toEqual([problem]);
     expect(memoryAccess(new Map([['wasm/memory.js', text]]))).toEqual([]);

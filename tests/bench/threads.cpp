@@ -4,22 +4,18 @@
 /// nothing, like independent processes.
 #include "base/threads.h"
 
-#include "cages.h"
-#include "driver/run.h"
-#include "optimize/hessian_metric.h"
-#include "subjects.h"
-
-#if UMBILIC_HAS_THREADS
 #include <barrier>
 #include <chrono>
 #include <functional>
 #include <memory>
 #include <thread>
-#endif
+
+#include "cages.h"
+#include "driver/run.h"
+#include "optimize/hessian_metric.h"
+#include "subjects.h"
 
 namespace umbilic {
-
-#if UMBILIC_HAS_THREADS
 
 namespace {
 
@@ -124,11 +120,5 @@ std::string threads() {
   }
   return joined(rows);
 }
-
-#else
-
-std::string threads() { return "[]"; }
-
-#endif
 
 }  // namespace umbilic

@@ -22,6 +22,7 @@ import { markdownTable, plainTable, replaceBetween } from './bench/tables.js';
 import * as threads from './bench/threads.js';
 import * as throughput from './bench/throughput.js';
 import * as unsymmetric from './bench/unsymmetric.js';
+import * as wasmThreads from './bench/wasm_threads.js';
 import { build } from './build.js';
 import { installPackages, installTools } from './install.js';
 import { root } from './process.js';
@@ -44,6 +45,7 @@ const subjects = {
   overhead,
   scaling,
   threads,
+  'wasm-threads': wasmThreads,
   estimates,
   factorization,
   evolver,
@@ -107,7 +109,7 @@ if (wanted.includes('factorization')) {
 }
 if (!(await installTools(...needs)) || !(await installPackages())) process.exit(1);
 if (!(await build('native', ...targets))) process.exit(1);
-if (programs && !(await build('wasm', 'umbilic_bench'))) process.exit(1);
+if (programs && !(await build('wasm', 'umbilic_bench', 'umbilic-core', 'umbilic-core-threads'))) process.exit(1);
 for (const name of wanted.length ? wanted : byDefault) {
   const start = performance.now();
   const measured = await subjects[name].measure();

@@ -82,7 +82,8 @@ async function buildTypes() {
 /** Builds the page, unless it is newer than all its sources. */
 async function buildPage() {
   const page = path.join(root, 'build/web/index.html');
-  const built = ['build/wasm/umbilic-core.mjs', 'build/wasm/umbilic-core.wasm', path.relative(root, noticesFile)];
+  const modules = ['umbilic-core', 'umbilic-core-threads'].flatMap((name) => [`${name}.mjs`, `${name}.wasm`]);
+  const built = [...modules.map((name) => `build/wasm/${name}`), path.relative(root, noticesFile)];
   const inputs = ['web', 'wasm', ...built, 'package-lock.json'];
   if (existsSync(page) && newest(inputs) < statSync(page).mtimeMs) return true;
   const vite = ['node_modules/vite/bin/vite.js', 'build', '--config', 'web/vite.config.js', '--logLevel', 'warn'];

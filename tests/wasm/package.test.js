@@ -37,7 +37,7 @@ describe('the package', () => {
     const code = reached();
     const types = code.filter((name) => name.endsWith('.js')).map((name) => `build/types/${name.slice(0, -3)}.d.ts`);
     expect(project.files).toEqual([...code, ...types, 'LICENSE', 'README.md', 'build/wasm/licences.txt'].sort());
-    expect(code.filter((name) => /\.(mjs|wasm)$/.test(name))).toHaveLength(2);
+    expect(code.filter((name) => /\.(mjs|wasm)$/.test(name))).toHaveLength(4);
     console.log(`The package: ${project.files.length} files, ${Math.round(project.size / 1000)} kB packed`);
   });
 

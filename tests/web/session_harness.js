@@ -17,6 +17,8 @@ export const session = {
   waiting: [],
   /** How often all has been told of a surface at rest. */
   rests: 0,
+  /** Whether it has work for all processors. */
+  busy: false,
   /** Milliseconds between two looks at the clock. */
   pace: 5,
   /** @type {(command: Command) => void} */
@@ -28,13 +30,14 @@ export function useSession() {
   beforeAll(() => load());
   beforeEach(() => {
     let clock = 0;
-    Object.assign(session, { messages: [], waiting: [], rests: 0, pace: 5 });
+    Object.assign(session, { messages: [], waiting: [], rests: 0, busy: false, pace: 5 });
     session.obey = createSession({
       core: { Cage, InputError, Minimizer, parseReport },
       post: (message) => session.messages.push(message),
       yieldThen: (task) => session.waiting.push(task),
       now: () => (clock += session.pace),
       rested: () => session.rests++,
+      busy: (busy) => (session.busy = busy),
     });
   });
 }

@@ -69,6 +69,11 @@ export function createCertification({ post, yieldThen }) {
       post({ type: 'certificateAbandoned', run });
     },
 
+    /** Whether one is being computed. */
+    get works() {
+      return certificate !== null && !ready;
+    },
+
     /** The certificate of the current surface; null unless it is ready. */
     ready: () => (ready ? certificate : null),
 

@@ -37,7 +37,7 @@ export async function host(begin) {
     else early.push(event.data);
   };
   try {
-    await load();
+    await load({ threads: 'later' });
     obey = begin();
     post({ type: 'started', version: version(), cages: cageNames() });
     early.forEach(obey);

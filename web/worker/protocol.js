@@ -63,9 +63,12 @@
  * Asks for the cage as it was given, before its boundaries were filled. Answers `cageTold`.
  * @typedef {{type: 'tellCage', run: number}} TellCage
  *
+ * `behind`: another document is on the screen, and what it computes comes first. No answer.
+ * @typedef {{type: 'stand', behind: boolean}} Stand
+ *
  * Asks for the answer `ponged`.
  * @typedef {{type: 'ping'}} Ping
- * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Compute | Search | Recall | TellCage | Ping} Command
+ * @typedef {Open | Detail | Expect | Optimize | Step | Retarget | Pause | Cancel | Export | Certify | Descend | AbandonCertificate | Compute | Search | Recall | TellCage | Stand | Ping} Command
  */
 
 /**

@@ -25,13 +25,14 @@ import { createTelling } from './telling.js';
  * @property {() => number} now milliseconds
  * @property {() => void} [rested] called when everything about a surface at rest has been sent and its level is
  *   prepared
+ * @property {(busy: boolean) => void} [busy] told after everything that it does whether it has work that all processors are to share
  */
 
 /**
  * @param {Surroundings} surroundings
  * @returns {(command: Command) => void}
  */
-export function createSession({ core, post, yieldThen, now, rested = () => {} }) {
+export function createSession({ core, post, yieldThen, now, rested = () => {}, busy = () => {} }) {
   /** @type {Minimizer | null} */
   let minimizer = null;
   let run = 0;
@@ -43,6 +44,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
   let startable = false;
   /** Those that have arrived since the last step. @type {Targets | null} */
   let targets = null;
+  /** Whether another document is on the screen, to which the processors are left. */
+  let behind = false;
   /** Whether a surface at rest is about to be sent with what is computed of it. */
   let computing = false;
   /** @param {() => void} task fails as the work of the run that is open then */
@@ -191,6 +194,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
     if (command.type === 'ping') return post({ type: 'ponged' });
     if (command.type === 'open') return open(command);
     if (command.type === 'compute') return compute(command.wish);
+    if (command.type === 'stand') return void (behind = command.behind);
     if (command.run > run) return; // the run did not open
     if (command.run < run) {
       if (command.type === 'optimize' || command.type === 'step')
@@ -242,6 +246,8 @@ export function createSession({ core, post, yieldThen, now, rested = () => {} })
       const message = error instanceof Error ? error.message : String(error);
       if (!input) pacing.rest();
       post({ type: 'failed', run: about, kind: input ? 'input' : 'internal', message });
+    } finally {
+      busy(!behind && (pacing.pace !== 'resting' || certification.works));
     }
   }
 

@@ -19,4 +19,7 @@ function answer(question) {
   return 'ratios' in question ? question.ratios.map(torusEnergies) : question.weights.map(torusMinimizer);
 }
 
-answerRequests(load, (question) => ({ answer: answer(question) }));
+answerRequests(
+  () => load({ threads: 1 }),
+  (question) => ({ answer: answer(question) }),
+);

@@ -2,12 +2,15 @@
 /**
  * @file The studio's worker: a session, with a warm-up of the core.
  */
-import { Cage, InputError, Minimizer, parseReport } from '../../wasm/umbilic.js';
+import { Cage, InputError, Minimizer, parseReport, useThreads } from '../../wasm/umbilic.js';
 import { host, post, yieldThen } from './host.js';
+import { createProcessors } from './processors.js';
 import { createSession } from './session.js';
 import { warmUp } from './warm_up.js';
 
 const core = { Cage, InputError, Minimizer, parseReport };
+/** Not all of the work is shared among threads, so that more gain little. */
+const MOST_PROCESSORS = 8;
 let warm = false;
 
 /** Called after the first surface has been sent, which must not wait for the warm-up. */
@@ -17,4 +20,10 @@ function rested() {
   warmUp(core, yieldThen);
 }
 
-host(() => createSession({ core, post, yieldThen, now: () => performance.now(), rested }));
+const busy = createProcessors({
+  locks: globalThis.crossOriginIsolated ? navigator.locks : undefined,
+  count: Math.min(navigator.hardwareConcurrency, MOST_PROCESSORS),
+  use: (threads) => void useThreads(threads),
+});
+
+host(() => createSession({ core, post, yieldThen, now: () => performance.now(), rested, busy }));

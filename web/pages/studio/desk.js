@@ -172,7 +172,7 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
       before.writer.touch();
       const { theme, fits } = before.document.state.view;
       mine.document.dispatch({ type: 'viewChanged', change: { theme, fits } });
-      if (!isBusy(before.document.state)) before.document.sleep();
+      before.document.sleep();
     }
     mine.seen = later();
     mine.document.wake();
@@ -194,7 +194,7 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     elsewhere = 0;
     const before = open.get(active);
     active = id;
-    if (before && !isBusy(before.document.state)) before.document.sleep();
+    before?.document.sleep();
     mine.document.begin();
     changed();
   }
@@ -242,7 +242,7 @@ export function createDesk({ outside, keeper, ownership, setAddress, changed }) 
     elsewhere = others.length - free.length;
     changed();
     for (const { id, document } of open.values()) {
-      if (id !== active && document.state.session.phase.name === 'running') document.wake();
+      if (id !== active && document.state.session.phase.name === 'running') document.wake(true);
     }
   }
 

@@ -45,12 +45,24 @@ export function createOpenDocument(begun, { connect, save, takePicture, load, se
   let state = begun;
   /** @type {Client | null} */
   let client = null;
+  let behind = false;
 
-  const awake = () =>
-    (client ??= connect({
+  function awake() {
+    if (client) return client;
+    client = connect({
       onMessage: (message) => dispatch({ type: 'answered', message }),
       onLost: (loss, detail) => dispatch({ type: 'workerLost', loss, detail }),
-    }));
+    });
+    if (behind) client.send({ type: 'stand', behind });
+    return client;
+  }
+
+  /** @param {boolean} isBehind */
+  function stand(isBehind) {
+    if (isBehind === behind) return;
+    behind = isBehind;
+    client?.send({ type: 'stand', behind });
+  }
   const effects = createEffects({
     client: {
       send: (command) => awake().send(command),
@@ -83,14 +95,21 @@ export function createOpenDocument(begun, { connect, save, takePicture, load, se
       effects(null, null, state);
     },
 
-    /** Brings the surface back if there is no worker that has it. */
-    wake() {
+    /** Brings the surface back if there is no worker that has it. @param {boolean} [isBehind] whether another document is on the screen */
+    wake(isBehind = false) {
+      stand(isBehind);
       if (!client) dispatch({ type: 'wakened' });
     },
 
-    /** Ends the worker, unless that has something to do; the surface will be brought back. @returns {boolean} whether it sleeps */
+    /**
+     * Another document is on the screen: ends the worker, unless that has something to do; the surface will be brought back.
+     * @returns {boolean} whether it sleeps
+     */
     sleep() {
-      if (isBusy(state)) return false;
+      if (isBusy(state)) {
+        stand(true);
+        return false;
+      }
       client?.dispose();
       client = null;
       state = withView(state, { surface: null, start: null });
