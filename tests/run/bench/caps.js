@@ -43,11 +43,15 @@ export function summary(rows) {
       title:
         'Energies by level and by the most rings that smooth caps may take (`mvs_cross`; of the torus, `bending + mvs_cross`, exactly ' +
         `${rows.find(({ shape }) => shape === 'torus')?.truth ?? ''}; of the sphere, from the cube, exactly 0):`,
-      head: ['shape', 'rings', ...levels.map((level) => `level ${level}`), 'limit', 'evaluations', 's'],
+      head: ['shape', 'rings', ...levels.map((level) => `level ${level}`), 'limit', 'evaluations'],
       rows: rows.map((row) => [
-        ...[row.shape, row.rings, ...levels.map((level) => energy(row, level)), limit(row)],
-        ...[row.levels.map(({ evaluations }) => evaluations).join(', ')],
-        digits(row.levels.reduce((sum, { seconds }) => sum + seconds, 0)),
+        ...[
+          row.shape,
+          row.shape === 'torus' ? '' : row.rings,
+          ...levels.map((level) => energy(row, level)),
+          limit(row),
+        ],
+        row.levels.map(({ evaluations }) => evaluations).join(', '),
       ]),
     },
   ];
