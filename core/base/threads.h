@@ -13,8 +13,8 @@
 ///              [&](int p, int slot) { sum += blocks[slot]; });
 ///
 /// The budget is the process's: a loop within another one's piece is helped by the threads that have nothing else to
-/// do, so that nested loops do not multiply threads. With one thread all of them are plain loops. In WebAssembly threads
-/// run in workers that JavaScript has made before, and the module without shared memory has none.
+/// do, so that nested loops do not multiply threads. With one thread all of them are plain loops. In WebAssembly
+/// threads run in workers that JavaScript has made before, and the module without shared memory has none.
 #pragma once
 
 #include <algorithm>
