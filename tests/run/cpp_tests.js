@@ -33,7 +33,8 @@ function hasTests(folder) {
 /** @typedef {'native' | 'sanitize' | 'coverage'} TestedPart */
 
 /**
- * Runs all C++ tests of one build. With sanitizers or counters, leaves out tests with Slow in their name.
+ * Runs all C++ tests of one build. With sanitizers or counters, leaves out tests with Slow in their name: those that run the
+ * code of a quicker test once more, for more or larger inputs.
  * @param {TestedPart} part
  * @returns {Promise<Tally>}
  */
