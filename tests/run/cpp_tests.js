@@ -10,7 +10,7 @@ import { expectSome, line, sum } from './tally.js';
 
 /** @typedef {import('./tally.js').Tally} Tally */
 
-const minutesForOneExecutable = 15;
+const minutesForOneExecutable = 60;
 
 /** @returns {string[]} the expected programs, one per folder of tests, with their names in tests/CMakeLists.txt */
 export function executables() {
