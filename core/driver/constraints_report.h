@@ -20,7 +20,6 @@ struct HeldRegions {
   std::vector<int> first_faces, sizes;
   int surface_faces = 0;  ///< held or not
 
-  HeldRegions() = default;
   /// `held` as in RefinedCage.
   HeldRegions(const PolygonMesh& mesh, const std::vector<bool>& held);
   int count() const { return static_cast<int>(sizes.size()); }

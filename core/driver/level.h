@@ -15,6 +15,7 @@
 #include "optimize/gauge.h"
 #include "optimize/surface_metric.h"
 #include "problem/metric_choice.h"
+#include "problem/report.h"
 #include "solve/lbfgs.h"
 
 namespace umbilic {

@@ -12,6 +12,8 @@
 #include <optional>
 
 #include "driver/accuracy.h"
+#include "driver/best_energies.h"
+#include "driver/cage_faces.h"
 #include "driver/closeness_search.h"
 #include "driver/constraints_report.h"
 #include "driver/ended_level.h"
@@ -21,7 +23,6 @@
 #include "driver/level.h"
 #include "driver/memory.h"
 #include "driver/retarget.h"
-#include "driver/second_opinion.h"
 #include "driver/surface_state.h"
 #include "driver/tessellate.h"
 #include "mesh/coordinates.h"
@@ -30,17 +31,26 @@
 namespace umbilic {
 
 struct Run::State {
-  State(const RunOptions& asked, Constraints given, RefinedCage prepared)
-      : options(asked), constraints(std::move(given)), cage(std::move(prepared)) {}
+  State(const RunOptions& asked, Constraints given, RefinedCage prepared, const Cage& asked_cage)
+      : options(asked),
+        constraints(std::move(given)),
+        cage(std::move(prepared)),
+        cage_faces(asked_cage, cage.mesh),
+        held_regions(cage.mesh, cage.held) {
+    for (std::size_t f = 0; f < cage.held.size(); ++f) {
+      if (cage.held[f]) held_faces.push_back(cage_faces[static_cast<int>(f)]);
+    }
+  }
 
   RunOptions options;
   Constraints constraints;
-  RefinedCage cage;                   // at level 0
+  RefinedCage cage;  // at level 0
   /// Whether orbits are of the cage's symmetry, not of one that a start was found to have.
   bool has_cages_orbits = true;
-  int required_level = 0;             // the first level that can be evaluated
-  std::vector<int> cage_numbers;      // of each face of the surface, from which holes are left out, in the cage
-  std::vector<int> faces_of_corners;  // of the surface of the cage: the face of each half-edge, as in the cage
+  CageFaces cage_faces;
+  HeldRegions held_regions;     // of the cage
+  std::vector<int> held_faces;  // of the cage, sorted
+  int required_level = 0;       // the first level that can be evaluated
   std::unique_ptr<Level> level;
   std::optional<EndedLevel> best;  // of the levels before `level`, as far as there are any
   std::size_t result = 0;          // the index of the best level, once the run is done
@@ -50,67 +60,16 @@ struct Run::State {
   double level_seconds = 0;
   Forecast forecast;
   bool cancelled = false;
-  HeldRegions held_regions;      // of the cage
-  std::vector<int> held_faces;   // of the cage, sorted
   std::optional<double> within;  // the largest deviation that is allowed, in unit coordinates
   std::optional<ClosenessSearch> search;
-  std::optional<double> fixed_area;              // see Surface
-  mutable std::optional<EnergyReport> energies;  // cached for the current best surface
-  mutable std::optional<OpinionReport> opinion;  // of the current best surface, while it stays
-  mutable std::optional<EnergyReport> written;   // of `control_mesh`, if that is another surface, while it stays
+  std::optional<double> fixed_area;  // see Surface
+  BestEnergies energies;
 
   LevelOptions level_options() const {
     LevelOptions next{options.caps(), options.weights, options.max_iterations, tolerance_of(options), options.metric};
     if (!levels.empty() && !within) next.energy_before = levels.back().energy_reported;
     next.fixed_area = fixed_area;
     return next;
-  }
-
-  const EnergyReport& report_energies() const {
-    if (!energies) {
-      energies = level->surface().report(level->best());
-      written.reset();
-      opinion.reset();
-    }
-    return *energies;
-  }
-
-  /// Of each of so many faces at a level: the face of the cage that it descends from. A Catmull-Clark step makes a quad
-  /// of each half-edge, with the half-edge's number; half-edges of quads are numbered by fours.
-  std::vector<int> cage_faces(int level_of_faces, int count) const {
-    std::vector<int> faces(count);
-    for (int f = 0; f < count; ++f)
-      faces[f] = level_of_faces == 0 ? cage_numbers[f] : faces_of_corners[f >> 2 * (level_of_faces - 1)];
-    return faces;
-  }
-
-  Cage control_mesh() const {
-    const RefinedCage refined = level->best_cage();
-    return to_cage(refined.mesh, refined.placement.back(refined.control));
-  }
-
-  const OpinionReport& second_opinion() const {
-    const EnergyReport& exact = report_energies();
-    if (!opinion) {
-      RefinedCage surface = level->surface().cage();
-      surface.control = level->best();
-      opinion = umbilic::second_opinion(surface, options.caps(), exact);
-    }
-    return *opinion;
-  }
-
-  /// Of the surface as it is written.
-  const EnergyReport& written_energies() const {
-    const EnergyReport& exact = report_energies();
-    if (level->surface().placement().is_centred() || level->surface().mesh().is_open()) return exact;
-    if (!written) {
-      const Result<EvaluationReport> evaluation = evaluate(control_mesh(), options.caps(), 0);
-      written = evaluation ? evaluation->energies : exact;
-      written->quadrature_error = exact.quadrature_error;
-      written->free = exact.free;
-      written->closeness = exact.closeness;
-    }
-    return *written;
   }
 
   /// Of a run that goes on with the level that is there; `near`: from a surface that has been minimized.
@@ -153,13 +112,13 @@ struct Run::State {
         progress.phase = ended ? Phase::kReport : level->preparing() ? Phase::kPrepare : Phase::kMinimize;
         update_progress();
         const bool stays = progress.energy == before || (std::isnan(progress.energy) && std::isnan(before));
-        if (!stays) energies.reset();
+        if (!stays) energies.forget();
         if (auto thicker = level->with_thicker_start()) replace_level(std::move(thicker));
         if (ended && search && !cancelled && !search->accepts(largest_deviation(level->surface(), level->best()))) {
           replace_level(level->with_closeness(search->weight()));
           break;
         }
-        if (level->should_check_rule() && level->needs_finer_rule(report_energies()))
+        if (level->should_check_rule() && level->needs_finer_rule(energies.exact(*level)))
           replace_level(level->with_finer_rule());
         break;
       }
@@ -180,7 +139,7 @@ struct Run::State {
 
   void replace_level(std::unique_ptr<Level> other) {
     level = std::move(other);
-    energies.reset();
+    energies.forget();
     progress.phase = Phase::kPrepare;
     update_progress();
   }
@@ -216,7 +175,7 @@ struct Run::State {
   }
 
   void end_level() {
-    const EnergyReport report_of_ended = report_energies();
+    const EnergyReport report_of_ended = energies.exact(*level);
     levels.push_back(level->report(report_of_ended));
     progress.ended_levels = static_cast<int>(levels.size());
     const LevelReport& report = levels.back();
@@ -242,9 +201,7 @@ struct Run::State {
     }
     if (last) {
       level = std::move(best->level);
-      energies = best->energies;
-      written.reset();
-      opinion.reset();
+      energies.become(best->energies);
       progress.phase = Phase::kDone;
       update_progress();
     } else {
@@ -268,15 +225,6 @@ double own_area(const RefinedCage& cage, int required, CapChoice cap) {
   return surface_integrals(JetEvaluator(layout, reporting_rule(cap)), refined.control).area;
 }
 
-/// The faces that are no holes, in the order that meshes have them in.
-std::vector<int> faces_of_surface(const Cage& cage) {
-  std::vector<int> faces;
-  for (int f = 0; f < static_cast<int>(cage.faces.size()); ++f) {
-    if (!std::binary_search(cage.holes.begin(), cage.holes.end(), f)) faces.push_back(f);
-  }
-  return faces;
-}
-
 }  // namespace
 
 Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constraints& constraints,
@@ -298,20 +246,13 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constra
   if (!prepared) return prepared.error();
   if (diverges(prepared->mesh, options.caps(), options.weights, error)) return error;
   const bool constrained = prepared->is_constrained();
-  auto state = std::make_unique<State>(options, constraints, *prepared);
+  auto state = std::make_unique<State>(options, constraints, *prepared, cage);
   state->required_level = required_level(prepared->mesh).value();
   if (options.accuracy) choose_last_level(*prepared, state->required_level, start ? start->level : 0, options);
   state->options = options;
   if (auto error_of_size = too_large_a_run(*prepared, state->required_level, options)) return *error_of_size;
-  state->cage_numbers = faces_of_surface(cage);
-  for (int h = 0; h < prepared->mesh.surface_halfedge_count(); ++h)
-    state->faces_of_corners.push_back(state->cage_numbers[prepared->mesh.face(h)]);
   if (constrained && !leaves_size_open(*prepared))
     state->fixed_area = own_area(*prepared, state->required_level, options.caps());
-  state->held_regions = HeldRegions(prepared->mesh, prepared->held);
-  for (std::size_t f = 0; f < prepared->held.size(); ++f) {
-    if (prepared->held[f]) state->held_faces.push_back(state->cage_numbers[f]);
-  }
   if (start) {
     prepared = at_state(std::move(prepared).value(), *start, options.caps(), options.symmetry);
     if (!prepared) return Error{"start: " + prepared.error().message};
@@ -376,9 +317,11 @@ const Progress& Run::progress() const { return state_->progress; }
 int Run::patches() const { return state_->level->surface().mesh().surface_face_count(); }
 const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
 const LevelReport& Run::result() const { return state_->levels[state_->result]; }
-const EnergyReport& Run::energies() const { return state_->written_energies(); }
+const EnergyReport& Run::energies() const { return state_->energies.written(*state_->level, state_->options.caps()); }
 
-const OpinionReport& Run::second_opinion() const { return state_->second_opinion(); }
+const OpinionReport& Run::second_opinion() const {
+  return state_->energies.second_opinion(*state_->level, state_->options.caps());
+}
 
 GroupReport Run::group() const {
   const SymmetryGroup& group = state_->level->surface().symmetry();
@@ -393,7 +336,7 @@ std::optional<ConstraintsReport> Run::constraints() const {
   const Surface& surface = state_->level->surface();
   if (!surface.cage().is_constrained()) return std::nullopt;
   ConstraintsReport report = constraints_report(surface, state_->level->best(), state_->held_regions);
-  for (HeldRegionReport& region : report.regions) region.first_face = state_->cage_numbers[region.first_face - 1] + 1;
+  for (HeldRegionReport& region : report.regions) region.first_face = state_->cage_faces[region.first_face - 1] + 1;
   if (state_->level->unknowns() == 0) {
     report.notes.push_back(fmt::format("on level {} nothing can move: what is held determines all control points",
                                        state_->level->number()));
@@ -412,11 +355,11 @@ Result<Certificate> Run::certify() const {
                              state_->fixed_area);
 }
 
-Cage Run::control_mesh() const { return state_->control_mesh(); }
+Cage Run::control_mesh() const { return umbilic::control_mesh(*state_->level); }
 
 std::vector<int> Run::cage_faces() const {
   const RefinedCage cage = state_->level->best_cage();
-  return state_->cage_faces(cage.level, cage.mesh.surface_face_count());
+  return state_->cage_faces.at_level(cage.level, cage.mesh.surface_face_count());
 }
 
 Points Run::orbit_points() const {
@@ -441,7 +384,7 @@ Result<LimitMesh> Run::limit_mesh(int density, const std::optional<Weights>& wei
   }
   LimitMesh mesh = tessellate(surface.mesh(), surface.symmetry(), surface.whole_layout(), best, density, energy);
   put_back(mesh, surface.placement());
-  mesh.cage_faces = state_->cage_faces(surface.level(), surface.mesh().surface_face_count());
+  mesh.cage_faces = state_->cage_faces.at_level(surface.level(), surface.mesh().surface_face_count());
   return mesh;
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "driver/surface.h"
-#include "problem/report.h"
+#include "problem/energy_report.h"
 
 namespace umbilic {
 

@@ -18,7 +18,7 @@
 #include "mesh/symmetry.h"
 #include "optimize/closeness_term.h"
 #include "problem/constraints.h"
-#include "problem/report.h"
+#include "problem/energy_report.h"
 
 namespace umbilic {
 

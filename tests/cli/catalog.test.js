@@ -5,7 +5,7 @@
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { readFileSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
-import { root, scratchFolder, umbilic } from './program.js';
+import { root, scratchFolder, shell, umbilic } from './program.js';
 
 const scratch = scratchFolder();
 afterAll(scratch.dispose);
@@ -90,6 +90,29 @@ describe('a catalog', () => {
     const broken = catalog('b');
     expect(broken.code).toBe(3);
     expect(broken.err).toContain('catalog.json is not JSON');
+  });
+});
+
+describe('its progress', () => {
+  const command =
+    'catalog --last-level 0 --shape sphere --shape torus --functional bending --functional mvs_cross --out';
+
+  test('is a line for each entry that is done, where standard error is no terminal', () => {
+    const { code, err } = umbilic([...command.split(' '), 'lines'], { folder: scratch.folder });
+    expect(code).toBe(0);
+    const counts = [...err.matchAll(/^(\d+) of 4 entries\n/gm)].map(([, done]) => Number(done));
+    expect(err.split('\n')).toHaveLength(counts.length + 1);
+    expect(counts.length).toBeGreaterThan(0);
+    expect(counts).toEqual([...new Set(counts)].sort((a, b) => a - b));
+  });
+
+  test('is a bar on a terminal, gone when all is done', () => {
+    const { code, out } = shell(`script -qec "$UMBILIC ${command} bar" /dev/null < /dev/null`, scratch.folder);
+    expect(code).toBe(0);
+    const [first, ...rest] = out.split('\x1b[K');
+    expect(first).toMatch(/^\r\[=* *\] \d+ of 4 entries, \S.* level \d+$/);
+    for (const [, bar] of out.matchAll(/\[(=* *)\]/g)) expect(bar).toHaveLength(30);
+    expect(rest.slice(-2)).toEqual(['\r', '']);
   });
 });
 

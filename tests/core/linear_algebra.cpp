@@ -11,6 +11,8 @@
 
 namespace umbilic::test {
 
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a * b; }
+
 /// In loops that leave out the zeros of b, most of its entries in many tests. The sanitized tests would use the
 /// sanitized core's instance of Eigen's product.
 Eigen::MatrixXd congruent(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {

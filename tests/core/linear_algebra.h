@@ -8,6 +8,9 @@
 
 namespace umbilic::test {
 
+/// A B.
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
 /// B^T A B.
 Eigen::MatrixXd congruent(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 

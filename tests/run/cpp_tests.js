@@ -10,7 +10,7 @@ import { expectSome, line, sum } from './tally.js';
 
 /** @typedef {import('./tally.js').Tally} Tally */
 
-const minutesForOneExecutable = 15;
+const minutesForOneExecutable = 60;
 
 /** @returns {string[]} the expected programs, one per folder of tests, with their names in tests/CMakeLists.txt */
 export function executables() {
@@ -33,7 +33,8 @@ function hasTests(folder) {
 /** @typedef {'native' | 'sanitize' | 'coverage'} TestedPart */
 
 /**
- * Runs all C++ tests of one build. With sanitizers or counters, leaves out tests with Slow in their name.
+ * Runs all C++ tests of one build. With sanitizers or counters, leaves out tests with Slow in their name: those that run the
+ * code of a quicker test once more, for more or larger inputs.
  * @param {TestedPart} part
  * @returns {Promise<Tally>}
  */

@@ -9,7 +9,7 @@ import { expectSome } from './tally.js';
 
 /** @typedef {import('./tally.js').Tally} Tally */
 
-const minutesForOneRun = 30;
+const minutesForOneRun = 60;
 
 /**
  * @param {string} name of the report
@@ -23,7 +23,7 @@ export async function runJestTests(name, folders, flags = []) {
   rmSync(report, { force: true });
   const node = ['--experimental-vm-modules', '--disable-warning=ExperimentalWarning', 'node_modules/jest/bin/jest.js'];
   const jest = ['--json', `--outputFile=${report}`];
-  const code = await run(process.execPath, [...node, ...jest, ...flags, ...folders], { minutes: minutesForOneRun });
+  const code = await run(process.execPath, [...node, ...jest, ...folders, ...flags], { minutes: minutesForOneRun });
   const tally = existsSync(report)
     ? countJestTests(readFileSync(report, 'utf8'))
     : { passed: 0, failed: 0, skipped: 0 };

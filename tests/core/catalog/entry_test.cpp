@@ -47,7 +47,7 @@ TEST(CatalogEntry, of_an_infimum_that_is_known_has_no_error_but_a_reason) {
   }
 }
 
-TEST(CatalogEntry, of_too_few_levels_is_an_upper_bound) {
+TEST(CatalogEntrySlow, of_too_few_levels_is_an_upper_bound) {
   const Entry frame = entry("two-3", "bending", 1);
   EXPECT_EQ(frame.status, EntryStatus::kUpperBound);
   EXPECT_EQ(frame.energy, frame.levels.back().energy_reported);
@@ -110,10 +110,10 @@ TEST(CatalogEntrySlow, agrees_on_every_instruction_set_within_what_is_reproducib
 }
 
 TEST(CatalogEntry, differs_from_one_that_is_off_by_more_than_rounding_explains) {
-  const Entry sphere = entry("sphere", "bending", 2);
+  const Entry sphere = entry("sphere", "bending", 1);
   const Json right = json_of(sphere);
   Json wrong = right;
-  wrong["levels"][2]["energy_reported"] = 1.0001 * sphere.levels[2].energy_reported;
+  wrong["levels"][1]["energy_reported"] = 1.0001 * sphere.levels[1].energy_reported;
   EXPECT_NE(difference(wrong, right).find("1.0e-04 off"), std::string::npos) << difference(wrong, right);
   wrong = right;
   wrong["status"] = "none_found";

@@ -39,7 +39,7 @@ TEST(Accuracy, is_reached_by_the_first_level_that_tells_and_holds) {
   EXPECT_GT(levels_before, 3u) << "as many as it takes";
 }
 
-TEST(Accuracy, that_cannot_be_reached_ends_after_six_levels) {
+TEST(AccuracySlow, that_cannot_be_reached_ends_after_six_levels) {
   const umbilic::Run run = run_within("bending", 1e-12);
   EXPECT_EQ(run.levels().size(), 6u);
   EXPECT_GT(run.limit().relative_error(), 1e-12);

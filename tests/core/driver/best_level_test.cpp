@@ -24,7 +24,7 @@ umbilic::Run noisy_run(const char* name, int iterations) {
   return run;
 }
 
-TEST(BestLevel, is_the_result_where_a_later_one_ends_higher_or_hides_curvature) {
+TEST(BestLevelSlow, is_the_result_where_a_later_one_ends_higher_or_hides_curvature) {
   int higher = 0, hiding = 0;
   for (const char* name :
        {"noise 0.3 on a torus", "noise 1 on a torus", "noise 0.3 on a frame", "noise 1 on a frame"}) {

@@ -106,11 +106,13 @@ void expect_floors(const Profile& profile, int n, int m, Functional functional) 
   EXPECT_LT(fine, coarse / 6);
 }
 
-TEST(CurvatureData, of_a_band_of_a_sphere_give_it_back_for_mvs_cross) {
+TEST(CurvatureDataSlow, of_a_band_of_a_sphere_give_it_back_for_mvs_cross) {
   expect_floors(circle(0, 1, -0.4, 0.9), 8, 4, kMvsCross);
 }
 
-TEST(CurvatureData, of_a_band_of_a_torus_give_it_back_for_mvs) { expect_floors(circle(2, 1, -0.5, 1.3), 16, 4, kMvs); }
+TEST(CurvatureDataSlow, of_a_band_of_a_torus_give_it_back_for_mvs) {
+  expect_floors(circle(2, 1, -0.5, 1.3), 16, 4, kMvs);
+}
 
 /// Nothing is minimized. Splines that are h^4 off the surface have energies of third order that are h^2 off its own.
 TEST(GivenSurfaces, catenoids_have_their_mvs_cross_to_1e_3) {

@@ -48,7 +48,7 @@ RunOptions minimizing(const char* functional, int level) {
 
 /// The tetrahedron's frame has two directions down, which lead to a surface of genus 3 with less symmetry and less
 /// bending.
-TEST(Descent, leads_from_a_symmetric_surface_to_a_lower_one) {
+TEST(DescentSlow, leads_from_a_symmetric_surface_to_a_lower_one) {
   const RunOptions options = minimizing("bending", 2);
   const umbilic::Run symmetric = ended("tetrahedron-frame", options);
   const Certificate certificate = certified(symmetric);

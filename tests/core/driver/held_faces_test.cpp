@@ -96,7 +96,7 @@ TEST(HeldFaces, keep_their_control_points_to_the_last_bit_on_every_level) {
 }
 
 /// The held half keeps a fault of its own; the rest adds almost nothing.
-TEST(HeldFaces, let_the_rest_of_a_disturbed_sphere_return_to_the_sphere) {
+TEST(HeldFacesSlow, let_the_rest_of_a_disturbed_sphere_return_to_the_sphere) {
   Cage cage = nearly_a_sphere(3);
   const Constraints constraints = holding(upper_faces(cage));
   const double fault = evaluate(cage, CapKind::kSmooth, 0)->energies.functionals[kBending] - 8 * kPi;

@@ -86,13 +86,21 @@ double gauss_bonnet_sum(const Refined& mesh, CapKind cap, const QuadratureRule& 
 }
 
 TEST(OpenEnergy, gaussian_curvature_and_turning_of_the_boundary_sum_to_2_pi_chi) {
-  // By the reporting rule, whose error is 1.8e-5 at most here, and by a finer one on one cage of each kind.
+  // By the reporting rule, whose error is 1.8e-5 at most here.
   for (const auto& [name, cage] : all_open_cages()) {
     SCOPED_TRACE(name);
     const Refined mesh = evaluable(cage);
     const double expected = 2 * kPi * mesh.mesh.euler_characteristic();
     EXPECT_NEAR(gauss_bonnet_sum(mesh, CapKind::kSmooth, {7, 8, 4}, 8), expected, 3e-5);
-    if (name != "L" && name != "fan of 5" && name != "disc of 7" && name != "prism without an end") continue;
+  }
+}
+
+TEST(OpenEnergySlow, gaussian_curvature_and_turning_of_the_boundary_tend_to_2_pi_chi) {
+  const std::map<std::string, Cage> cages = all_open_cages();
+  for (const char* name : {"L", "fan of 5", "disc of 7", "prism without an end"}) {  // one of each kind
+    SCOPED_TRACE(name);
+    const Refined mesh = evaluable(cages.at(name));
+    const double expected = 2 * kPi * mesh.mesh.euler_characteristic();
     EXPECT_NEAR(gauss_bonnet_sum(mesh, CapKind::kSmooth, {10, 12, 6}, 12), expected, 1e-6);
   }
 }

@@ -63,7 +63,7 @@ Integrals of(const Cage& cage) {
 /// No extraordinary vertices: the surface is a spline that approaches the torus of revolution as h^4, with third
 /// derivatives as h^2. The generated torus has its control net's ratio, so that the limit's is a little different;
 /// the ratio is taken from area and bending, and mvs_cross must fit it.
-TEST(SecondOpinion, of_fine_tori_tends_to_the_closed_forms) {
+TEST(SecondOpinionSlow, of_fine_tori_tends_to_the_closed_forms) {
   double before = 1;
   for (const int n : {12, 24}) {
     const Integrals found = of(*generate_cage("torus", {.ratio = 0.5, .major_segments = 2 * n, .minor_segments = n}));
@@ -84,7 +84,7 @@ TEST(SecondOpinion, of_fine_tori_tends_to_the_closed_forms) {
 }
 
 /// Refining changes nothing but which polynomial pieces are one face.
-TEST(SecondOpinion, is_the_same_on_every_level_of_a_surface_without_caps) {
+TEST(SecondOpinionSlow, is_the_same_on_every_level_of_a_surface_without_caps) {
   const Cage once = refined(*generate_cage("cube")), twice = refined(once);
   const Integrals coarse = of(once), fine = of(twice);
   for (std::size_t q = 0; q < kQuantities.size(); ++q) {

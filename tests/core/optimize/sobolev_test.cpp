@@ -97,7 +97,7 @@ TEST_P(SobolevMetricOfEveryCap, leaves_the_size_alone) {
 INSTANTIATE_TEST_SUITE_P(Caps, SobolevMetricOfEveryCap, testing::ValuesIn(kAllCaps));
 
 /// The energy is a squared seminorm of the same order, so this metric takes out its stiffness.
-TEST(SobolevMetric, leaves_less_than_half_of_what_the_plain_gradient_leaves_of_a_third_order_energy) {
+TEST(SobolevMetricSlow, leaves_less_than_half_of_what_the_plain_gradient_leaves_of_a_third_order_energy) {
   const Refined coarse = genus_two();
   const Refinement finer = catmull_clark(coarse.mesh);
   const Points control = finer.stencil * coarse.control;

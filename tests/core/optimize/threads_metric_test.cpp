@@ -69,7 +69,7 @@ TEST(MetricsSlow, have_the_same_bits_from_any_number_of_threads_with_each_cap) {
   }
 }
 
-TEST(Metrics, have_the_same_bits_from_any_number_of_threads_pulled_to_another_surface) {
+TEST(MetricsSlow, have_the_same_bits_from_any_number_of_threads_pulled_to_another_surface) {
   const Refined mesh = rough(trapezohedron(5), 2, 0.03, 4);
   const PatchLayout layout(mesh.mesh, CapKind::kSmooth);
   const ClosenessTerm closeness(layout, 1.01 * mesh.control, 3);

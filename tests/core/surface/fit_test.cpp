@@ -5,22 +5,29 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "mesh/rough_cages.h"
+#include "surface/blend.h"
 #include "surface/quadrature.h"
 #include "surface/whole_basis.h"
 
 namespace umbilic::test {
 namespace {
 
+/// The first `count` monomials at (x, y), in the order of the fit.
+Eigen::VectorXd monomials(Eigen::Index count, double x, double y) {
+  Eigen::VectorXd values(count);
+  int column = 0;
+  for (int k = 0; column < count; ++k) {
+    for (int l = 0; l <= k; ++l) values[column++] = std::pow(x, k - l) * std::pow(y, l);
+  }
+  return values;
+}
+
 /// Value at (x, y) of the polynomial with coefficients in the order of the fit.
 double polynomial(const Eigen::VectorXd& coefficients, double x, double y) {
-  double sum = 0;
-  int column = 0;
-  for (int k = 0; column < coefficients.size(); ++k) {
-    for (int l = 0; l <= k; ++l) sum += coefficients[column++] * std::pow(x, k - l) * std::pow(y, l);
-  }
-  return sum;
+  return coefficients.dot(monomials(coefficients.size(), x, y));
 }
 
 TEST(FitSlow, reproduces_constants_and_the_characteristic_map) {
@@ -105,25 +112,25 @@ void expect_least_squares(CapShape shape, int valence) {
   const Eigen::Matrix<double, Eigen::Dynamic, 2> characteristic = ring.characteristic_net();
   const Eigen::VectorXd net = Random(8).matrix<Eigen::VectorXd>(ring.size(), 1);
   const Eigen::VectorXd coefficients = cap.fit() * net;  // of the one polynomial, in sector 0's coordinates
+  std::vector<Eigen::VectorXd> seen(valence, net);       // from each sector
+  for (int sector = 0; sector < valence; ++sector) {
+    for (int i = 0; i < ring.size(); ++i) seen[sector][i] = net[ring.turned(i, sector)];
+  }
   Eigen::VectorXd moments = Eigen::VectorXd::Zero(count), sizes = moments;
   for (int cell = 0; cell < cell_count(shape); ++cell) {
     const int i = cell % rings(shape), j = cell / rings(shape), ring_number = ring_of(shape, cell);
     if (ring_number < design(shape).first_fit || ring_number > design(shape).last_fit) continue;
     for (const Sample& sample : tensor_rule(24)) {
-      const DerivativeRows basis = ring.basis(sample.u + i, sample.v + j);
-      const Derivatives b = sector_basis(cap, sample.u + i, sample.v + j).col(ring.size());
-      const Eigen::RowVector2d xy = basis.row(0) * characteristic;
+      const Eigen::VectorXd here = ring.basis(sample.u + i, sample.v + j).row(0);
+      const Derivatives b = tensor_blend(smoothstep_blend, sample.u + i, sample.v + j, rim(shape));
+      const Eigen::Vector2d xy = characteristic.transpose() * here;
       const double weight = sample.weight * (b[1] * b[1] + b[2] * b[2]);
-      const Eigen::RowVectorXd here = basis.row(0);
       for (int sector = 0; sector < valence; ++sector) {
         const double angle = 2 * std::numbers::pi * sector / valence, c = std::cos(angle), s = std::sin(angle);
-        const double x = c * xy[0] - s * xy[1], y = s * xy[0] + c * xy[1];
-        const double residual = turned(ring, here, sector).dot(net) - polynomial(coefficients, x, y);
-        for (int m = 0; m < count; ++m) {
-          const double test = polynomial(Eigen::VectorXd::Unit(count, m), x, y);
-          moments[m] += weight * residual * test;
-          sizes[m] += weight * std::abs(residual * test);
-        }
+        const Eigen::VectorXd tests = monomials(count, c * xy[0] - s * xy[1], s * xy[0] + c * xy[1]);
+        const Eigen::VectorXd terms = weight * (here.dot(seen[sector]) - coefficients.dot(tests)) * tests;
+        moments += terms;
+        sizes += terms.cwiseAbs();
       }
     }
   }
