@@ -131,6 +131,17 @@ export function localeDependence(files) {
   });
 }
 
+/**
+ * The linker gives a WebAssembly module without shared memory no place for what each thread has of its own.
+ * @param {Files} files
+ * @returns {string[]}
+ */
+export function threadLocals(files) {
+  return matching(files, /^(core|wasm)\/.*\.(h|cpp)$/).flatMap(([file, text]) =>
+    /\b(thread_local|__thread)\b/.test(codeOf(text)) ? [`${file} has a thread_local variable`] : [],
+  );
+}
+
 /** @param {string} layer @returns {string} its CMake target; that of the command line is the program itself */
 export function target(layer) {
   return layer === 'cli' ? 'umbilic' : `umbilic_${layer}`;

@@ -14,6 +14,7 @@ import {
   linkOrder,
   localeDependence,
   target,
+  threadLocals,
   upwardIncludes,
 } from './cpp_layers.js';
 import { readTree, root } from './tree.js';
@@ -34,6 +35,7 @@ describe('the project', () => {
   test('keeps streams and files in the command line, and the library of JSON in few places', () =>
     expect(hostLibraries(tree)).toEqual([]));
   test('does not depend on the locale', () => expect(localeDependence(tree)).toEqual([]));
+  test('has no variable for each thread', () => expect(threadLocals(tree)).toEqual([]));
 
   test('links each layer to the one above it', () => {
     const graph = 'build/architecture/graph.dot';
@@ -109,6 +111,11 @@ describe('the checks fail on', () => {
     expect(localeDependence(new Map([['core/cage/a.cpp', '/* not std::stod(s) */ // strtod(s)\n"atof(";']]))).toEqual(
       [],
     );
+  });
+
+  test('a variable of each thread, not one in a comment', () => {
+    expect(threadLocals(new Map([['core/base/a.cpp', 'thread_local int a;']]))).toHaveLength(1);
+    expect(threadLocals(new Map([['core/base/a.cpp', '// thread_local int a;']]))).toEqual([]);
   });
 
   test('a layer that links another than the one above it', () => {
