@@ -202,8 +202,8 @@ std::string difference(const Json& stored, const Json& again) {
   if (stored.at("levels").size() != again.at("levels").size()) return "another number of levels";
   if (stored.contains("below") != again.contains("below")) return "another finding about what it descends to";
   if (stored.contains("below")) {
-    const std::string below = energy_difference(again.at("below").at("energy"), stored.at("below").at("energy"),
-                                                kConvergedReproducibility);
+    const std::string below =
+        energy_difference(again.at("below").at("energy"), stored.at("below").at("energy"), kConvergedReproducibility);
     if (!below.empty()) return "what it descends to: " + below;
   }
   return energy_difference(again.at("levels").back().at("energy_reported"),
