@@ -41,8 +41,8 @@ class Computation {
   const std::optional<CertificateReport>& certificate() const { return certificate_; }
   /// A surface below the certified one; nothing unless the settings ask for it, and there is one.
   const std::optional<SurfaceState>& descent() const { return descent_; }
-  /// The energy of the certified surface.
-  double certified_energy() const { return certified_energy_; }
+  /// The energy of the certified surface, whose level has ended.
+  double certified_energy() const { return level(certificate_->level)->energy_reported; }
 
   /// Fills in the surface that the entry shows: that of the level that is set, or the best.
   void show(Entry& entry) const {
@@ -66,10 +66,16 @@ class Computation {
     Points orbit_points;
   };
 
+  /// The report of a level; null if there is none.
+  const LevelReport* level(int number) const {
+    const auto found = std::find_if(run_.levels().begin(), run_.levels().end(),
+                                    [&](const LevelReport& report) { return report.level == number; });
+    return found == run_.levels().end() ? nullptr : &*found;
+  }
+
   bool minimized(int number) const {
-    return std::any_of(run_.levels().begin(), run_.levels().end(), [&](const LevelReport& level) {
-      return level.level == number && (level.stop == StopReason::kConverged || level.stop == StopReason::kRoundOff);
-    });
+    const LevelReport* report = level(number);
+    return report && (report->stop == StopReason::kConverged || report->stop == StopReason::kRoundOff);
   }
 
   bool certifiable() const {
@@ -87,7 +93,6 @@ class Computation {
     }
     if (const Result<CertificateReport> report = certificate->report()) certificate_ = *report;
     if (settings_.descends) descent_ = certificate->descent();
-    certified_energy_ = run_.result().energy_reported;
     return true;
   }
 
@@ -95,7 +100,6 @@ class Computation {
   const EntrySettings& settings_;
   std::optional<CertificateReport> certificate_;
   std::optional<SurfaceState> descent_;
-  double certified_energy_ = 0;
   std::optional<Shown> shown_;
 };
 

@@ -80,6 +80,13 @@ TEST(CatalogEntrySlow, tells_what_a_minimizer_with_directions_of_descent_descend
   EXPECT_EQ(misfit(described, *below_text(frame, "1.2.3")), "") << "the file holds this surface";
 }
 
+TEST(CatalogEntry, of_one_level_descends_from_that) {
+  const Entry torus = entry("torus", "bending", 0);
+  ASSERT_GT(torus.certificate->negative, 0) << "directions that only so coarse a mesh has";
+  ASSERT_TRUE(torus.below);
+  EXPECT_LT(torus.below->result.energy_reported, torus.result.energy_reported);
+}
+
 TEST(CatalogEntry, has_nothing_below_a_certified_minimum) {
   const Entry frame = entry("two-3", "bending", 2);
   ASSERT_EQ(frame.certificate->negative, 0);
