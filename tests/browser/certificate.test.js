@@ -86,7 +86,7 @@ describe('the limit', () => {
     const [value, error] = text.match(/[\d.]+/g)?.map(Number) ?? [];
     // The bar ends at the energy of Clifford's torus, below which no torus is.
     expect(text).toMatch(
-      /^Limit of the levels: \d+\.\d+ ± 0\.00\d\d, observed order \d\.\d, but not below 78\.95683, as no surface is\.$/,
+      /^Limit of the levels: \d+\.\d+ ± 0\.00\d+, observed order \d\.\d, but not below 78\.95683, as no surface is\.$/,
     );
     expect(Math.abs(value - 8 * Math.PI ** 2)).toBeLessThanOrEqual(error); // Clifford's torus
     const metrics = await page.locator('#levels tbody td:nth-child(5)').allInnerTexts();
