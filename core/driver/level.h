@@ -98,6 +98,13 @@ class Level {
   LevelReport report(const EnergyReport& energies) const;
 
  private:
+  /// Work that a level has done with those that it goes on from, and where it has led.
+  struct Work {
+    int iterations = 0, evaluations = 0, metrics = 0, factorizations = 0, stages = 0;
+    double energy = std::numeric_limits<double>::quiet_NaN(), gradient_norm = energy;
+  };
+
+  Work work_done() const;
   int factorizations() const { return factorizations_ + (own_metric_ ? own_metric_->factorizations() : 0); }
   const RefinedCage& start_with_held_points();
   Eigen::VectorXd unknowns_of(const Points& control) const;
@@ -147,11 +154,7 @@ class Level {
   bool strict_ = false;              // whether the tolerance has been tightened
   bool cancelled_ = false;
 
-  /// Work done with coarser rules.
-  struct {
-    int iterations = 0, evaluations = 0, metrics = 0, factorizations = 0, stages = 0;
-    double energy = std::numeric_limits<double>::quiet_NaN(), gradient_norm = energy;
-  } before_;
+  Work before_;  // with coarser rules, or another pull to the cage's own surface
 };
 
 }  // namespace umbilic

@@ -32,19 +32,23 @@ bool same(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double
 
 }  // namespace
 
+Level::Work Level::work_done() const {
+  return {iterations(),
+          evaluations(),
+          before_.metrics + metrics_,
+          before_.factorizations + factorizations(),
+          before_.stages + stages_.begun(),
+          energy(),
+          gradient_norm()};
+}
+
 std::unique_ptr<Level> Level::with_finer_rule() const {
   LevelOptions options = options_;
   ++options.quadrature;
   options.max_iterations -= lbfgs_->iterations();
   options.even_parameters = false;
   auto level = std::make_unique<Level>(best_cage(), surface_.level(), options);
-  level->before_ = {iterations(),
-                    evaluations(),
-                    before_.metrics + metrics_,
-                    before_.factorizations + factorizations(),
-                    before_.stages + stages_.begun(),
-                    energy(),
-                    gradient_norm()};
+  level->before_ = work_done();
   level->start_energy_ = start_energy_;
   level->thicknesses_tried_ = kThicknessRatios.size();
   level->thickened_ = thickened_;
@@ -57,13 +61,7 @@ std::unique_ptr<Level> Level::with_closeness(double weight) const {
   LevelOptions options = options_;
   if (lbfgs_) options.even_parameters = false;
   auto level = std::make_unique<Level>(std::move(start), surface_.level(), options);
-  level->before_ = {iterations(),
-                    evaluations(),
-                    before_.metrics + metrics_,
-                    before_.factorizations + factorizations(),
-                    before_.stages + stages_.begun(),
-                    energy(),
-                    gradient_norm()};
+  level->before_ = work_done();
   return level;
 }
 
