@@ -144,10 +144,12 @@ void umbilic_run_destroy(umbilic_run* run);
 umbilic_status umbilic_run_step(umbilic_run* run, int32_t units, int32_t* done);
 
 /**
- * Changes the weights of the terms, the targets of pins and the pull to the cage's own surface of a run, ended or not:
- * {"terms": {…}, "pins": [{"at": [x, y, z], "normal": [x, y, z]}, {}], "closeness": weight}, each member or none. It
- * goes on from its best surface; what was known of levels is forgotten. UMBILIC_BAD_INPUT if that does not fit the
- * problem; then the run stays as it is.
+ * Changes the weights of the terms, the targets of pins, the pull to the cage's own surface and the points of the cage
+ * of a run, ended or not:
+ * {"terms": {…}, "pins": [{"at": [x, y, z], "normal": [x, y, z]}, {}], "closeness": weight, "points": [x, y, z, …]},
+ * each member or none. Points are those of the problem's cage, as many and of the same faces; what is held follows it.
+ * The run goes on from its best surface; what was known of levels is forgotten. UMBILIC_BAD_INPUT if that does not fit
+ * the problem; then the run stays as it is.
  */
 umbilic_status umbilic_run_retarget(umbilic_run* run, const char* targets, size_t length);
 

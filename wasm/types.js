@@ -109,6 +109,8 @@
  * @property {{at?: [number, number, number], normal?: [number, number, number]}[]} [pins] one for each of the problem's, in
  *   their order; NaN where the pin leaves a coordinate free
  * @property {number} [closeness] its weight, where the problem has one
+ * @property {Float64Array | number[]} [points] x, y, z of each point of the problem's cage, before it is filled: what is held
+ *   follows it. The problem's cage becomes a text.
  */
 
 /* ---- reports ---- */

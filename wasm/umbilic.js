@@ -218,13 +218,14 @@ export class Minimizer {
   }
 
   /**
-   * Changes weights, pins' targets or the pull to the cage's own surface of a run, ended or not. It goes on from its best
-   * surface; levels and limit are those since then.
+   * Changes weights, pins' targets, the pull to the cage's own surface or the cage's points of a run, ended or not. It goes
+   * on from its best surface; levels and limit are those since then.
    * @param {Targets} targets
    * @throws {InputError} if they do not fit the problem; then the run stays as it is
    */
   retarget(targets) {
-    withText(JSON.stringify(targets), (pointer, length) => call('run_retarget', this.#alive, pointer, length));
+    const plain = targets.points ? { ...targets, points: Array.from(targets.points) } : targets;
+    withText(JSON.stringify(plain), (pointer, length) => call('run_retarget', this.#alive, pointer, length));
   }
 
   /** Ends the run. Its result is what has been computed so far. */

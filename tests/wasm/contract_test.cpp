@@ -3,6 +3,7 @@
 /// The C contract in wrong hands: null pointers, numbers out of range, texts that are none, memory that runs out at
 /// every allocation in turn, threads. Each call answers with a status; the sanitizers see the rest.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -250,7 +251,10 @@ TEST_F(Contract, takes_calls_in_any_order) {
     double progress = 0;
     umbilic_mesh* made = nullptr;
     umbilic_certificate* another = nullptr;
-    const std::string targets = fmt::format(R"({{"terms": {{"bending": {}}}}})", integer());
+    const std::string targets =
+        random() % 2
+            ? fmt::format(R"({{"terms": {{"bending": {}}}}})", integer())
+            : fmt::format(R"({{"points": [{}]}})", fmt::join(std::vector(3 * (random() % 2 ? 8 : 7), 0.5), ","));
     switch (random() % 11) {
       case 0: expect_an_answer(umbilic_run_step(run, integer(), &done)); break;
       case 1: expect_an_answer(umbilic_run_part(run, integer(), &text)); break;

@@ -30,8 +30,8 @@
  *
  * Does one energy evaluation. Answers `paused`.
  * @typedef {{type: 'step', run: number}} Step
- * Changes weights, pins' targets or the pull of a run that has taken steps. One that is paused stays so, any other goes on.
- * Of several that arrive between two steps the last one counts. Answers `retargeted` and what follows from going on; or
+ * Changes weights, pins' targets, the pull or the cage's points of a run that has taken steps. One that is paused stays so,
+ * any other goes on. Of several that arrive between two steps the last of each kind counts. Answers `retargeted` and what follows from going on; or
  * `failed`, and the run goes on as it was.
  * @typedef {{type: 'retarget', run: number, targets: Targets}} Retarget
  * @typedef {{type: 'pause', run: number}} Pause

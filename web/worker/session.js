@@ -119,7 +119,7 @@ export function createSession({ core, post, yieldThen, now, rested = () => {}, b
   /** @param {Targets} asked */
   function follow(asked) {
     certification.drop();
-    targets = asked;
+    targets = { ...targets, ...asked };
     const paused = pacing.pace === 'resting' && current().progress.phase !== 'done';
     if (!paused) return go('running');
     retarget();

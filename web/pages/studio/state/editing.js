@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file Editing the cage: what of it is selected, and the new cage that an edit makes, which takes the place of the one that
- * is open. What is held goes along where it still fits. Pure.
+ * is open. What is held goes along where it still fits. A run whose cage holds something follows its points. Pure.
  */
 import { bridge } from '../../../cage/bridge.js';
 import { mirror } from '../../../cage/mirror.js';
@@ -11,20 +11,29 @@ import { extrude, move, remove } from '../../../cage/shape.js';
 import { split } from '../../../cage/split.js';
 import { cageWords } from '../../../words/cages.js';
 import { counted } from '../../../words/numbers.js';
+import { takesPoints, withPoints } from './following.js';
 import { beginOpening } from './opening.js';
-import { withView } from './parts.js';
+import { withDocument, withView } from './parts.js';
 
 /** @import {Constraints, FaceSelection} from '../../../../wasm/types.js' */
-/** @import {Edited, PolygonCage, Refused, Selection} from '../../../cage/polygons.js' */
+/** @import {Edited, Point, PolygonCage, Refused, Selection} from '../../../cage/polygons.js' */
 /** @import {CageEdit, EditAction, EditedCage, Editing, OpenCage, Settings, State} from './types.js' */
 
 /** @type {Selection} */
 const nothing = { points: [], faces: [] };
 
-/** Says why the cage cannot be edited now; null if it can. @param {State} state */
-export function problemOfEditing({ session: { phase }, document: { cage } }) {
+/** Says why the cage's faces cannot be edited now, because of a run; null if they can. @param {State} state */
+function runInTheWay({ session: { phase } }) {
   if (phase.name === 'running') return 'A run goes on. Cancel it to edit the cage.';
-  if (phase.name === 'paused') return 'A run is paused. Cancel it to edit the cage.';
+  return phase.name === 'paused' ? 'A run is paused. Cancel it to edit the cage.' : null;
+}
+
+/** Says why the cage cannot be edited now; null if it can, at least its points. @param {State} state */
+export function problemOfEditing(state) {
+  const { phase } = state.session;
+  const { cage } = state.document;
+  const problem = runInTheWay(state);
+  if (problem && !takesPoints(state)) return problem;
   if (phase.name === 'unavailable') return 'Without the core no cage can be opened.';
   if (cage?.counts.holes) return 'This cage has faces that are marked as holes, which cannot be edited here.';
   return null;
@@ -57,7 +66,7 @@ export function afterCageTold(state, obj) {
   });
 }
 
-/** @param {OpenCage['source']} source @param {EditedCage} edited @returns {Editing} */
+/** @param {OpenCage['source']} source @param {Omit<EditedCage, 'kept'>} edited @returns {Editing} */
 export const editingOf = (source, { cage, selection, said }) => ({ source, cage, selection, drag: null, said });
 
 /** Without what a hand has moved, since the core has refused it. @param {State} state @returns {State} */
@@ -143,17 +152,36 @@ function keptAfter({ constraints, fill }, edited, moved) {
 /** What an edited cage is called: as its file, or after the shape that it was. @param {OpenCage['source']} source */
 const nameAfter = (source) => (source.kind === 'text' ? source.name : `${cageWords(source.name).title} edited`);
 
+/** The run goes on with the moved cage. @param {State} state @param {OpenCage['source']} source @param {Edited} moved @returns {State} */
+function followedBy(state, source, { cage, selected }) {
+  const { cage: open } = state.document;
+  const named = open && withDocument(state, { cage: { ...open, source, name: source.name }, minimizer: null });
+  const shown = withView(named ?? state, { editing: editingOf(source, { cage, selection: selected, said: '' }) });
+  return withPoints(shown, cage.points);
+}
+
+/** What a hand still moves, and a run that follows it. @param {State} state @param {Editing} editing @param {Point} by @returns {State} */
+function dragged(state, editing, by) {
+  const shown = withView(state, { editing: { ...editing, drag: by } });
+  const result = takesPoints(state) ? move(editing.cage, editing.selection, by) : null;
+  return result && 'cage' in result ? withPoints(shown, result.cage.points) : shown;
+}
+
 /** @param {State} state @param {Editing} editing @param {CageEdit} edit @returns {State} */
 function edited(state, editing, edit) {
   /** @param {string} said */
   const refused = (said) => withView(state, { editing: { ...editing, drag: null, said } });
   if (state.session.opening) return refused('Another cage or surface is being opened.');
+  const problem = runInTheWay(state);
+  if (problem && edit.kind !== 'move') return refused(problem);
   const result = made(editing.cage, editing.selection, edit);
   if ('refused' in result) return refused(result.refused);
   const { cage, selected } = result;
-  const text = formatObj(cage);
+  /** @type {OpenCage['source']} */
+  const source = { kind: 'text', name: nameAfter(editing.source), text: formatObj(cage) };
+  if (edit.kind === 'move' && takesPoints(state)) return followedBy(state, source, result);
   return beginOpening(state, {
-    source: { kind: 'text', name: nameAfter(editing.source), text },
+    source,
     purpose: 'cage',
     then: 'hold',
     start: null,
@@ -195,7 +223,7 @@ export function afterEditing(state, action) {
         : selecting(selection, 'Select two adjacent faces for a strip, or two adjacent vertices for a line.');
     }
     case 'cageDragged':
-      return withView(state, { editing: { ...editing, drag: action.by } });
+      return dragged(state, editing, action.by);
     case 'cageEdited':
       return edited(state, editing, action.edit);
   }

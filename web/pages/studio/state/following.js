@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
- * @file How a run follows what is asked while the hand still moves: where only the weights of a blend or the
- * places of pins differ from those of the run, it goes on with the new ones. Pure.
+ * @file How a run follows what is asked while the hand still moves: where only the weights of a blend, the
+ * places of pins or the points of a cage that holds something differ from those of the run, it goes on with the new
+ * ones. Pure.
  */
 import { askedOf, withResult, withSession } from './parts.js';
 import { activeWeights, problemWith } from './settings.js';
 
 /** @import {Retargeted} from '../../../worker/protocol.js' */
 /** @import {Pin, Targets} from '../../../../wasm/types.js' */
+/** @import {Point} from '../../../cage/polygons.js' */
 /** @import {Action, Settings, State} from './types.js' */
 
 /** Whether the worker has a run that can take other targets. @param {State} state */
@@ -35,6 +37,22 @@ function heldBeside({ constraints, fill }) {
 
 /** What of a pin a run can be told. @param {Pin} pin */
 const targetOf = ({ at, normal }) => ({ ...(at && { at }), ...(Array.isArray(normal) && { normal }) });
+
+/** Whether the surface takes more from the cage than where it begins. @param {State['document']} document */
+function holdsSomething({ cage, settings: { constraints, fill } }) {
+  const { hold, free, pins = [], closeness } = constraints;
+  return Boolean(cage?.counts.boundaries.length || hold || free || closeness || fill) || pins.length > 0;
+}
+
+/** Whether a run goes on that can take other points of its cage, and that they matter to. @param {State} state */
+export function takesPoints(state) {
+  const { settings, result } = state.document;
+  const [asked, run] = [settings, result.settings].map(({ constraints, fill }) => ({ constraints, fill }));
+  return isOpen(state) && same(asked, run) && holdsSomething(state.document);
+}
+
+/** The run is told where the points of its cage are. @param {State} state @param {Point[]} points @returns {State} */
+export const withPoints = (state, points) => withSession(state, { targets: { points: points.flat() } });
 
 /** @param {unknown} one @param {unknown} other */
 const same = (one, other) => JSON.stringify(one) === JSON.stringify(other);
@@ -82,6 +100,9 @@ export function followed(state, action) {
  */
 export function afterRetargeted(state, { runs, group }) {
   const { settings, result } = state.document;
+  const { points } = state.session.targets ?? {};
+  // A copy of the surface fits a cage of another symmetry no longer.
+  const saved = points && !same(group, result.group) ? null : result.saved;
   const fresh = withResult(state, {
     settings: { ...result.settings, weights: settings.weights, constraints: settings.constraints },
     group,
@@ -90,7 +111,8 @@ export function afterRetargeted(state, { runs, group }) {
     samples: [],
     levels: [],
     limit: null,
-    start: result.saved?.state ?? result.start ?? null,
+    saved,
+    start: points ? null : (saved?.state ?? result.start ?? null),
     certificate: null,
     constrained: null,
   });

@@ -57,6 +57,9 @@ function withStep(state, step) {
  */
 export function remembered(before, after, action) {
   if (action.type === 'paintingEnded') return withStrokeEnded(after);
+  if (action.type === 'cageDragged' || action.type === 'cageEdited') {
+    if (after.session.targets !== before.session.targets) return withGesture(before, after, action);
+  }
   const slides = action.type === 'weightChanged' || action.type === 'pinMoved' || action.type === 'pinTurned';
   const moving = slides && action.moving;
   if (slides && !moving && isStroke(before.history.past.at(-1))) return withStrokeEnded(after);
@@ -78,6 +81,21 @@ export function remembered(before, after, action) {
   const stroke = action.type === 'facesPainted' || moving;
   if (stroke && isStroke(before.history.past.at(-1))) return after;
   return withStep(after, { name, asked: askedIn(before.document), ...(stroke && { stroke }) });
+}
+
+/**
+ * A run follows the points of its cage: one step from where the hand began to move them.
+ * @param {State} before
+ * @param {State} after
+ * @param {Extract<Action, {type: 'cageDragged' | 'cageEdited'}>} action
+ * @returns {State}
+ */
+function withGesture(before, after, action) {
+  const moving = action.type === 'cageDragged';
+  if (isStroke(before.history.past.at(-1))) return moving ? after : withStrokeEnded(after);
+  const name = stepName({ type: 'cageEdited', edit: { kind: 'move', by: [0, 0, 0] } }) ?? '';
+  const { document, session } = before;
+  return withStep(after, { name, document, phase: session.phase.name, ...(moving && { stroke: true }) });
 }
 
 /** Whether what is being opened takes the surface away that is on the screen. @param {State} state */
@@ -108,7 +126,7 @@ function replacement(before, after) {
 function withStrokeEnded(state) {
   const last = state.history.past.at(-1);
   if (!last || !isStroke(last)) return state;
-  const past = [...state.history.past.slice(0, -1), { name: last.name, asked: last.asked }];
+  const past = [...state.history.past.slice(0, -1), { ...last, stroke: false }];
   return withoutVain(state, { ...state, history: { ...state.history, past } });
 }
 
@@ -120,8 +138,8 @@ function withoutVain(before, after) {
   return { ...after, history: { ...after.history, past: after.history.past.slice(0, -1) } };
 }
 
-/** Whether a step is one of a brush or a slider that is still held. @param {Step | undefined} step @returns {step is Step & {asked: Asked}} */
-const isStroke = (step) => Boolean(step && 'asked' in step && step.stroke);
+/** Whether a step is one of a brush, a slider or a part of the cage that is still held. @param {Step | undefined} step */
+const isStroke = (step) => Boolean(step?.stroke);
 
 /** Whether something is being opened that a step back would have to wait for. @param {State} state */
 const isBusy = ({ session: { opening } }) => Boolean(opening?.before);

@@ -225,8 +225,8 @@
 
 /**
  * A step of the history, with what is on its other side: only what is asked, or the whole document with the phase in which
- * it was. `stroke`: the brush is still down, or the slider of a weight still held.
- * @typedef {{name: string, asked: Asked, stroke?: boolean} | {name: string, document: Document, phase: Phase['name']}} Step
+ * it was. `stroke`: the brush is still down, or the slider of a weight or a part of the cage still held.
+ * @typedef {{name: string, stroke?: boolean} & ({asked: Asked} | {document: Document, phase: Phase['name']})} Step
  *
  * The steps that can be undone, and those that can be redone, the next one last.
  * @typedef {{past: Step[], future: Step[]}} History
