@@ -62,7 +62,7 @@ test('a held fish follows its cage', () => {
   expect(cage.name).toBe('fish.obj');
   const fresh = new Minimizer({ ...problem, cage });
   expect(energy / ended(fresh)).toBeCloseTo(1, 6);
-  expect(pointsOf(objOf(cage.text)).flat()).toEqual([...points]);
+  expect(pointsOf(objOf(String(cage.text))).flat()).toEqual([...points]);
   for (const one of [minimizer, fresh]) one.dispose();
 });
 

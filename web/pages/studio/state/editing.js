@@ -22,8 +22,8 @@ import { withDocument, withView } from './parts.js';
 /** @type {Selection} */
 const nothing = { points: [], faces: [] };
 
-/** Says why the cage's faces cannot be edited now, because of a run; null if they can. @param {State} state */
-function runInTheWay({ session: { phase } }) {
+/** Says why a run is in the way of edits that change the cage's faces; null if none is. @param {State} state */
+export function runInTheWay({ session: { phase } }) {
   if (phase.name === 'running') return 'A run goes on. Cancel it to edit the cage.';
   return phase.name === 'paused' ? 'A run is paused. Cancel it to edit the cage.' : null;
 }

@@ -5,7 +5,7 @@
 import { counted } from '../../../words/numbers.js';
 import { numbersIn, numbersWords } from '../../../words/numbering.js';
 import { find, setText, whenChanged } from '../../../views/dom.js';
-import { editingOn, problemOfEditing } from '../state/editing.js';
+import { editingOn, problemOfEditing, runInTheWay } from '../state/editing.js';
 import { handleOf } from './edited.js';
 
 /** @import {Point} from '../../../cage/polygons.js' */
@@ -125,6 +125,9 @@ export function createCageEditingView(root, dispatch) {
       said.hidden = !isOn;
       const problem = problemOfEditing(state);
       panel.disabled = problem !== null;
+      for (const name of ['extrude', 'remove', 'bridge', 'split', 'mirror']) {
+        field(name).disabled = runInTheWay(state) !== null;
+      }
       const now = editingOn(state);
       show(now);
       setText(said, !isOn ? '' : (problem ?? (now ? now.said || selectedWords(now) : '')));
