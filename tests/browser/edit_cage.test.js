@@ -262,7 +262,8 @@ test('a generated shape becomes a text of its own, what is held follows, and the
   await drawn(page);
   await page.screenshot({ path: path.join(screenshots, 'edit-after-run.png') });
   await type(page, 'y', '-0.75');
-  await settled(page);
+  await page.locator('#undo[aria-label="Undo move a part of the cage"]').waitFor();
+  await status(page, minimized, 60_000);
   await page.locator('#undo').click();
   await status(page, minimized, 60_000);
   expect(errors).toEqual([]);

@@ -3,6 +3,7 @@
  * @file The surface of a held cage follows a vertex while the hand still moves it, in the same run, to where a run of the
  * moved cage ends.
  */
+import path from 'node:path';
 import { expect, test } from '@jest/globals';
 import { fish } from './fish.js';
 import {
@@ -15,6 +16,7 @@ import {
   openAddress,
   recordEvents,
   recordedEvents,
+  screenshots,
   settled,
   status,
 } from './page.js';
@@ -24,17 +26,22 @@ import { servedPage } from './served.js';
 
 const served = servedPage();
 
-/** Opens a cage, holds its body and minimizes the head on one level. @param {string} text */
+/** Opens a fish whose body is held, and minimizes it on one level. @param {string} text */
 async function minimizedFish(text) {
   const options = { reducedMotion: /** @type {const} */ ('reduce'), ...allPixels };
   const opened = await openAddress(served.browser, `${served.url}studio.html`, options, recordEvents);
   const { page } = opened;
   await measured(page);
-  await dropFile(page, 'fish.obj', text);
+  const problem = {
+    umbilic: 'problem',
+    version: 1,
+    cage: { name: 'fish.obj', text },
+    terms: { bending: 1 },
+    constraints: { hold: { groups: ['body'] }, closeness: { weight: 100 } },
+    options: { levels: [1, 1], tolerance: 1e-9 },
+  };
+  await dropFile(page, 'fish.json', JSON.stringify(problem));
   await page.locator('.facts').filter({ hasText: 'fish.obj' }).waitFor();
-  await page.locator('[name=functional]').selectOption('bending');
-  for (const name of ['last', 'first']) await page.locator(`[name=${name}]`).selectOption('1');
-  await page.getByRole('checkbox', { name: /^body/ }).check();
   await settled(page);
   await page.getByRole('button', { name: 'Start', exact: true }).click();
   await status(page, minimized, 60_000);
@@ -85,9 +92,11 @@ test('a dragged vertex of a held body takes the surface along, in one step and w
     await page.mouse.move(x + i, y - 2 * i);
     await page.waitForTimeout(60);
   }
-  const follows = () =>
-    /** @type {any} */ (window).recordedEvents().filter(({ name }) => name === 'retargeted').length > 1;
-  await page.waitForFunction(follows);
+  await page.waitForFunction(() => {
+    const events = /** @type {import('./page.js').PageEvent[]} */ (/** @type {any} */ (window).recordedEvents());
+    return events.filter(({ name }) => name === 'retargeted').length > 1;
+  });
+  await page.screenshot({ path: path.join(screenshots, 'follow-cage.png') });
   await page.mouse.up();
   await page.locator('#undo[aria-label="Undo move a part of the cage"]').waitFor();
   await status(page, minimized, 60_000);

@@ -54,6 +54,20 @@ describe('a run that is told other weights', () => {
     expect(all('levelEnded').at(-1).report.energy / minimum(other)).toBeCloseTo(1, 5);
   });
 
+  test('and other things between two steps takes the last of each kind', () => {
+    open(1, blend, { then: 'run' });
+    work(12);
+    retarget(other);
+    session.obey({ type: 'retarget', run: 1, targets: { points: [0] } });
+    work();
+    expect(all('failed')).toHaveLength(1);
+    session.obey({ type: 'retarget', run: 1, targets: {} });
+    retarget(other);
+    session.obey({ type: 'retarget', run: 1, targets: { pins: [] } });
+    work();
+    expect(all('levelEnded').at(-1).report.energy / minimum(other)).toBeCloseTo(1, 5);
+  });
+
   test('while it is paused stays so, and goes on with them', () => {
     open(1, blend, { then: 'run' });
     work(12);
