@@ -29,6 +29,13 @@
 #include "mesh/hierarchy.h"
 
 namespace umbilic {
+namespace {
+
+bool is_minimized(const Level& level, const LevelReport& report) {
+  return (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level.doubtful();
+}
+
+}  // namespace
 
 struct Run::State {
   State(const RunOptions& asked, Constraints given, RefinedCage prepared, const Cage& asked_cage)
@@ -52,6 +59,7 @@ struct Run::State {
   std::vector<int> held_faces;  // of the cage, sorted
   int required_level = 0;       // the first level that can be evaluated
   std::unique_ptr<Level> level;
+  std::unique_ptr<Level> narrower;  // the level before `level`, with narrower caps, while these are compared
   std::optional<EndedLevel> best;  // of the levels before `level`, as far as there are any
   std::size_t result = 0;          // the index of the best level, once the run is done
   std::vector<LevelReport> levels;
@@ -84,7 +92,11 @@ struct Run::State {
   /// What the forecast says after some work.
   void update_forecast() {
     const bool done = progress.phase == Phase::kDone;
-    if (!done) forecast.level_advanced(progress.level, progress.evaluations, level_seconds);
+    if (narrower) {
+      forecast.level_repeated(narrower->number(), narrower->evaluations(), level_seconds);
+    } else if (!done) {
+      forecast.level_advanced(progress.level, progress.evaluations, level_seconds);
+    }
     progress.share_done = done ? 1 : forecast.share_done();
     progress.seconds_left = done ? 0 : forecast.seconds_left();
   }
@@ -100,6 +112,7 @@ struct Run::State {
     progress.total_evaluations = progress.evaluations;
     for (const LevelReport& ended : levels) {
       if (ended.level != progress.level) progress.total_evaluations += ended.evaluations;
+      progress.total_evaluations += ended.narrower_caps_evaluations;
     }
   }
 
@@ -123,6 +136,7 @@ struct Run::State {
         break;
       }
       case Phase::kReport: end_level(); break;
+      case Phase::kCompareCaps: compare_caps(); break;
       case Phase::kDone: break;
     }
   }
@@ -139,6 +153,7 @@ struct Run::State {
 
   void replace_level(std::unique_ptr<Level> other) {
     level = std::move(other);
+    narrower.reset();
     energies.forget();
     progress.phase = Phase::kPrepare;
     update_progress();
@@ -180,20 +195,56 @@ struct Run::State {
     progress.ended_levels = static_cast<int>(levels.size());
     const LevelReport& report = levels.back();
     if (report.evaluable && !within) {
-      const bool minimized =
-          (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
       const double left = tolerance_of(options) * std::max(report.energy_reported, kEnergyFloor);
       energies_of_levels.push_back({report.energy_reported, left + report_of_ended.quadrature_error,
-                                    report_of_ended.functionals[kBending], minimized, report_of_ended.credible(),
+                                    report_of_ended.functionals[kBending], is_minimized(*level, report),
+                                    report_of_ended.credible(),
                                     report.cap_rings});
     }
-    const auto evaluable = static_cast<int>(energies_of_levels.size());
-    const bool last = cancelled || level->number() >= options.last_level ||
-                      levels.back().stop == StopReason::kNotFinite ||
-                      (options.accuracy && suffice(evaluable, limit(), *options.accuracy));
+    if (!cancelled && is_last() && caps_are_in_question()) {
+      narrower = best->level->with_narrower_caps();
+      progress.phase = Phase::kCompareCaps;
+      forecast.level_repeated(narrower->number(), 0, 0);
+    } else {
+      go_on();
+    }
+  }
+
+  /// Whether the run ends with the level that has ended.
+  bool is_last() const {
+    return cancelled || level->number() >= options.last_level || levels.back().stop == StopReason::kNotFinite ||
+           (options.accuracy &&
+            suffice(static_cast<int>(energies_of_levels.size()), limit(), *options.accuracy));
+  }
+
+  /// Whether there is a limit whose error would know that of the caps, if those of the level before were narrower, too.
+  bool caps_are_in_question() const {
+    const LimitReport found = limit();
+    return found.status == LimitStatus::kConverging && !found.caps_included && best &&
+           best->level->number() == level->number() - 1 && best->report.cap_rings == levels.back().cap_rings &&
+           best->report.cap_rings > 1;
+  }
+
+  void compare_caps() {
+    if (!narrower->step()) return;
+    const LevelReport report = narrower->report(narrower->surface().report(narrower->best()));
+    LevelReport& compared = levels[levels.size() - 2];
+    compared.narrower_caps_evaluations = report.evaluations;
+    if (is_minimized(*narrower, report)) {
+      compared.narrower_caps_energy = report.energy_reported;
+      energies_of_levels[energies_of_levels.size() - 2].with_narrower_caps = report.energy_reported;
+    }
+    narrower.reset();
+    go_on();
+  }
+
+  /// From a level that has ended to the next, or to the result.
+  void go_on() {
+    const bool last = is_last();
     std::optional<RefinedCage> finer;
     if (!last) finer = refine(level->best_cage(), 1);
-    EndedLevel ended{std::move(level), report, report_of_ended};
+    const EnergyReport energies_of_ended = energies.exact(*level);
+    EndedLevel ended{std::move(level), levels.back(), energies_of_ended};
     // Levels with different weights do not compare: the last one is the result.
     if (!best || within || ended.rank() <= best->rank()) {
       best = std::move(ended);
@@ -287,12 +338,18 @@ bool Run::step(int units) {
   double booked = 0;
   for (int i = 0; i < units && state_->progress.phase != Phase::kDone; ++i) {
     const std::size_t ended = state_->levels.size();
+    const bool compares = state_->narrower != nullptr;
     state_->unit();
-    if (state_->levels.size() > ended) {
-      const double now = seconds();
+    const bool compared = compares && !state_->narrower;
+    if (state_->levels.size() > ended || compared) {
+      const double now = seconds(), taken = state_->level_seconds + now - booked;
       LevelReport& level = state_->levels.back();
-      level.seconds = state_->level_seconds + now - booked;
-      state_->forecast.level_ended(level.level, level.evaluations, level.seconds);
+      level.seconds += taken;
+      if (compared) {
+        state_->forecast.repetition_ended();
+      } else {
+        state_->forecast.level_ended(level.level, level.evaluations, taken);
+      }
       state_->level_seconds = 0;
       booked = now;
     }
@@ -307,6 +364,12 @@ std::optional<Error> Run::retarget(const Targets& targets) { return state_->reta
 void Run::cancel() {
   if (state_->progress.phase == Phase::kDone) return;
   state_->cancelled = true;
+  if (state_->progress.phase == Phase::kCompareCaps) {
+    state_->narrower.reset();
+    state_->go_on();
+    state_->update_forecast();
+    return;
+  }
   state_->level->cancel();
   state_->progress.phase = Phase::kReport;
   step(1);
