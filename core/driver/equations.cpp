@@ -102,25 +102,41 @@ Eigen::SparseMatrix<double> smoothness(const PolygonMesh& mesh) {
   return laplacian * laplacian + kDisplacementWeight * identity;
 }
 
+/// The points as one vector, with the coordinates 3 v + c.
+Eigen::VectorXd by_coordinates(const Points& points) {
+  return Eigen::Map<const Eigen::VectorXd>(points.data(), points.size());
+}
+
+bool equations_hold(const RefinedCage& cage, const Coordinates& coordinates, const Eigen::VectorXd& unknowns) {
+  if (!has_equations(cage)) return true;
+  const LinearRows rows = in_coordinates(equations_of(cage).rows, coordinates);
+  return (rows.matrix * unknowns - rows.right).cwiseAbs().maxCoeff() <= kHolds;
+}
+
 }  // namespace
 
-Points moved_to_equations(const RefinedCage& cage, const Coordinates& coordinates) {
-  if (!has_equations(cage)) return cage.control;
-  const LinearRows rows = in_coordinates(equations_of(cage).rows, coordinates);
+Points moved_to_equations(const RefinedCage& cage, const Coordinates& coordinates, const Points& expected) {
   const Eigen::VectorXd start = coordinates.unknowns(cage.control);
-  if ((rows.matrix * start - rows.right).cwiseAbs().maxCoeff() <= kHolds) return cage.control;
-  const AffineSubspace solutions(rows, start);
-  const Eigen::SparseMatrix<double> basis = coordinates.matrix(), move = basis * solutions.basis();
+  Eigen::VectorXd nearest = by_coordinates(Points(coordinates.control(start) - cage.control));
+  if (nearest.size() == 0 || nearest.cwiseAbs().maxCoeff() <= kHolds) nearest.setZero();
+  if (nearest.isZero(0) && equations_hold(cage, coordinates, start)) return cage.control;
+  const std::shared_ptr<const AffineSubspace> solutions = solutions_of(cage, coordinates);
+  const Eigen::VectorXd origin = solutions ? solutions->origin() : start;
+  const Eigen::SparseMatrix<double> basis = coordinates.matrix();
+  const Eigen::SparseMatrix<double> move = solutions ? Eigen::SparseMatrix<double>(basis * solutions->basis()) : basis;
+  if (move.cols() == 0) return coordinates.control(origin);
   const Eigen::SparseMatrix<double> smooth = smoothness(cage.mesh);
   const Eigen::SparseMatrix<double> reduced = move.transpose() * (smooth * move);
-  const Eigen::VectorXd nearest = basis * (solutions.origin() - start);
+  nearest += basis * (origin - start);
+  Eigen::VectorXd slope = smooth * nearest;
+  if (expected.size() > 0) slope -= kDisplacementWeight * by_coordinates(expected);
   SparseCholesky factor(SparseCholesky::Pivots::kPositive);
   factor.begin(reduced.triangularView<Eigen::Lower>());
   while (!factor.advance()) {
   }
-  if (!factor.succeeded()) return coordinates.control(solutions.origin());
-  const Eigen::VectorXd y = -factor.solve(Eigen::VectorXd(move.transpose() * (smooth * nearest)));
-  return coordinates.control(solutions.point(y));
+  if (!factor.succeeded()) return coordinates.control(origin);
+  const Eigen::VectorXd y = -factor.solve(Eigen::VectorXd(move.transpose() * slope));
+  return coordinates.control(solutions ? solutions->point(y) : Eigen::VectorXd(start + y));
 }
 
 Eigen::MatrixXd free_gauge(const RefinedCage& cage, const Gauge& gauge) {

@@ -28,10 +28,11 @@ std::shared_ptr<const AffineSubspace> solutions_of(const RefinedCage& cage, cons
 /// An error that names a smallest set of equations that contradict one another, or held faces, if there is one.
 std::optional<Error> contradiction_of(const RefinedCage& cage, const Coordinates& coordinates);
 
-/// The cage's control points, moved to where the equations hold as smoothly as possible: of all displacements d that do
-/// it, that with the least |L d|^2 + e |d|^2, L the graph's Laplacian and e a small number that only decides where L
-/// leaves a choice. Unchanged where the equations hold already.
-Points moved_to_equations(const RefinedCage& cage, const Coordinates& coordinates);
+/// The cage's control points, moved to where `coordinates` have what is held and the equations hold, as smoothly as
+/// possible: of all displacements d that do it, that with the least |L d|^2 + e |d - m|^2, L the graph's Laplacian and
+/// e a small number that only decides where L leaves a choice. m is `expected`, a displacement of all points, or 0.
+/// Unchanged where all that holds already.
+Points moved_to_equations(const RefinedCage& cage, const Coordinates& coordinates, const Points& expected = {});
 
 /// The directions in which the functional's energy does not change and that all constraints allow: an orthonormal basis
 /// over the coordinates of all control points.

@@ -61,9 +61,9 @@ class Level {
   std::unique_ptr<Level> with_finer_rule() const;
   /// A level that continues from the best surface, pulled to the cage's own with another weight.
   std::unique_ptr<Level> with_closeness(double weight) const;
-  /// A level that continues from the best surface of another one with other weights, or other targets of the same pins:
-  /// from its points, moved to the targets. The rows must not contradict one another. Until it has built a metric of
-  /// its own it takes that of the other level, which is near.
+  /// A level that continues from the best surface of another one with other weights, or other targets of the same pins,
+  /// or another place of what is held: from its points, moved to the targets. The rows must not contradict one another.
+  /// Until it has built a metric of its own it takes that of the other level, which is near.
   static std::unique_ptr<Level> retargeted(std::unique_ptr<Level> before, RefinedCage targets,
                                            const LevelOptions& options);
   /// The level with smooth caps half as wide as its narrowest, from the best surface; see driver/extrapolate.h. The
@@ -121,6 +121,8 @@ class Level {
   void rebuild_metric();
   void take_metric(std::unique_ptr<Level> from);
   const Metric& first_metric() const;
+  Eigen::SparseMatrix<double> directions() const;
+  bool has_orthonormal_unknowns() const { return !solutions_ || solutions_->orthonormal(); }
   bool metric_is_stale() const;
   bool hessian_is_uninformative() const;
   bool with_better_metric();

@@ -85,17 +85,24 @@ std::unique_ptr<Level> Level::with_thicker_start() const {
   return level;
 }
 
+/// The change of the coordinates 3 v + c of the control points with each unknown.
+Eigen::SparseMatrix<double> Level::directions() const {
+  const Eigen::SparseMatrix<double> all = coordinates_.matrix();
+  return solutions_ ? Eigen::SparseMatrix<double>(all * solutions_->basis()) : all;
+}
+
 /// Takes over the metric of a level whose surface and unknowns are nearly the same, also if it is still being built.
 void Level::take_metric(std::unique_ptr<Level> from) {
   const bool has_metric = from->metric_ && (from->lbfgs_ || from->building_);
   if (!has_metric || from->metric_choice_ == MetricChoice::kIdentity) return;
   if (from->unknowns_.count() != unknowns_.count()) return;  // less symmetry is left
-  if (solutions_ && !same(solutions_->basis(), from->solutions_->basis())) {
-    // Newly mapped from the unknowns of the level that made the metric, which may be an earlier one.
-    const Level& maker = from->metric_owner_ ? *from->metric_owner_ : *from;
-    if (!solutions_->orthonormal() || !maker.solutions_->orthonormal()) return;
-    mapped_metric_ = std::make_unique<MappedMetric>(
-        *from->metric_, Eigen::SparseMatrix<double>(solutions_->basis().transpose() * maker.solutions_->basis()));
+  // The level that made the metric may be an earlier one.
+  const Level& maker = from->metric_owner_ ? *from->metric_owner_ : *from;
+  const Eigen::SparseMatrix<double> own = directions(), others = maker.directions();
+  if (!same(own, others)) {
+    if (!has_orthonormal_unknowns() || !maker.has_orthonormal_unknowns()) return;
+    mapped_metric_ =
+        std::make_unique<MappedMetric>(*from->metric_, Eigen::SparseMatrix<double>(own.transpose() * others));
   }
   metric_ = from->metric_;
   building_ = from->building_;
@@ -105,7 +112,10 @@ void Level::take_metric(std::unique_ptr<Level> from) {
 std::unique_ptr<Level> Level::retargeted(std::unique_ptr<Level> before, RefinedCage targets,
                                          const LevelOptions& options) {
   const Coordinates coordinates(targets.mesh, targets.symmetry, held_points(targets, options.cap));
-  targets.control = moved_to_equations(targets, coordinates);
+  const Points& own_before = before->start_.own;
+  const bool follows = own_before.rows() == targets.own.rows();
+  targets.control =
+      moved_to_equations(targets, coordinates, follows ? Points(targets.own - own_before) : Points());
   LevelOptions own = options;
   own.quadrature = before->quadrature();
   own.even_parameters = false;

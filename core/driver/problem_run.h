@@ -18,7 +18,8 @@ struct ProblemRun {
   Run run;
   std::vector<FaceGroup> groups{};  ///< of the cage
 
-  /// As Run::retarget; the problem then has the new targets.
+  /// As Run::retarget; the problem then has the new targets. Points are those of the problem's cage: it becomes a text,
+  /// without a start, and is filled as for a new run. Fails, too, where its fill then has other faces.
   std::optional<Error> retarget(const Targets& targets);
   /// Report on the best surface so far. The caller fills in `program` and `certificate`.
   Report report() const;

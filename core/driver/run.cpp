@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 
+#include "cage/with_points.h"
 #include "driver/accuracy.h"
 #include "driver/best_energies.h"
 #include "driver/cage_faces.h"
@@ -20,6 +21,7 @@
 #include "driver/equations.h"
 #include "driver/estimate.h"
 #include "driver/extrapolate.h"
+#include "driver/fixed_area.h"
 #include "driver/level.h"
 #include "driver/memory.h"
 #include "driver/retarget.h"
@@ -42,7 +44,8 @@ struct Run::State {
       : options(asked),
         constraints(std::move(given)),
         cage(std::move(prepared)),
-        cage_faces(asked_cage, cage.mesh),
+        own(asked_cage),
+        cage_faces(own, cage.mesh),
         held_regions(cage.mesh, cage.held) {
     for (std::size_t f = 0; f < cage.held.size(); ++f) {
       if (cage.held[f]) held_faces.push_back(cage_faces[static_cast<int>(f)]);
@@ -52,7 +55,8 @@ struct Run::State {
   RunOptions options;
   Constraints constraints;
   RefinedCage cage;  // at level 0
-  /// Whether orbits are of the cage's symmetry, not of one that a start was found to have.
+  Cage own;          // that it was made from
+  /// Whether orbits are of the cage's symmetry, not of one that a start was found to have, or of a part.
   bool has_cages_orbits = true;
   CageFaces cage_faces;
   HeldRegions held_regions;     // of the cage
@@ -164,20 +168,32 @@ struct Run::State {
     Constraints changed = constraints;
     if (auto error = set_targets(targets, next, changed)) return error;
     if (Error error; diverges(cage.mesh, options.caps(), next.weights, error)) return error;
-    Result<RefinedCage> surface = with_targets(level->best_cage(), cage, targets, changed, options.caps());
-    if (!surface) return surface.error();
+    Result<Cage> moved = targets.points ? with_points(own, *targets.points) : own;
+    if (!moved) return moved.error();
+    Result<Retargeted> retargeted = with_targets(level->best_cage(), cage, targets, changed, *moved, options.caps());
+    if (!retargeted) return retargeted.error();
     options = next;
     constraints = std::move(changed);
+    cage = std::move(retargeted->cage);
+    has_cages_orbits = has_cages_orbits && retargeted->has_cages_symmetry;
+    if (targets.points) follow_cage(*std::move(moved));
     best.reset();
     levels.clear();
     energies_of_levels.clear();
     progress.ended_levels = 0;
     level_seconds = 0;
     cancelled = false;
-    replace_level(Level::retargeted(std::move(level), std::move(surface).value(), level_options()));
+    replace_level(Level::retargeted(std::move(level), std::move(retargeted->surface), level_options()));
     begin_forecast(true);
     update_forecast();
     return std::nullopt;
+  }
+
+  /// Of a run whose cage has moved.
+  void follow_cage(Cage moved) {
+    own = std::move(moved);
+    fixed_area = fixed_area_of(cage, required_level, options.caps());
+    if (search) search.emplace(*within, search->weight());
   }
 
   LimitReport limit() const {
@@ -262,22 +278,6 @@ struct Run::State {
   }
 };
 
-namespace {
-
-/// The area of the cage's own surface at the level `required`, in unit coordinates.
-double own_area(const RefinedCage& cage, int required, CapChoice cap) {
-  RefinedCage own = cage;
-  own.control = own.own;
-  own.held.clear();
-  own.pins.clear();
-  own.boundary.clear();
-  const RefinedCage refined = refine(std::move(own), required);
-  const PatchLayout layout(refined.mesh, cap, face_orbits(refined.mesh, refined.symmetry));
-  return surface_integrals(JetEvaluator(layout, reporting_rule(cap)), refined.control).area;
-}
-
-}  // namespace
-
 Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constraints& constraints,
                         const std::optional<SurfaceState>& start) {
   Error error;
@@ -302,8 +302,7 @@ Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constra
   if (options.accuracy) choose_last_level(*prepared, state->required_level, start ? start->level : 0, options);
   state->options = options;
   if (auto error_of_size = too_large_a_run(*prepared, state->required_level, options)) return *error_of_size;
-  if (constrained && !leaves_size_open(*prepared))
-    state->fixed_area = own_area(*prepared, state->required_level, options.caps());
+  state->fixed_area = fixed_area_of(*prepared, state->required_level, options.caps());
   if (start) {
     prepared = at_state(std::move(prepared).value(), *start, options.caps(), options.symmetry);
     if (!prepared) return Error{"start: " + prepared.error().message};
@@ -360,6 +359,8 @@ bool Run::step(int units) {
 }
 
 std::optional<Error> Run::retarget(const Targets& targets) { return state_->retarget(targets); }
+
+const Cage& Run::cage() const { return state_->own; }
 
 void Run::cancel() {
   if (state_->progress.phase == Phase::kDone) return;

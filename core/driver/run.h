@@ -49,14 +49,22 @@ class Run {
   /// no more. Returns whether the run is done; further calls do nothing.
   bool step(int units);
 
-  /// Changes the weights, the pins' targets and the pull to the cage's own surface of a run, ended or not, which goes
-  /// on from its best surface at the level where that is. What was known of levels so far is forgotten: the levels, the
-  /// limit and the best surface are those since then. The next steps find where the surface goes to first order with
-  /// the metric that is there, before one is built anew.
+  /// Changes the weights, the pins' targets, the pull to the cage's own surface and the points of the cage of a run,
+  /// ended or not, which goes on from its best surface at the level where that is. What was known of levels so far is
+  /// forgotten: the levels, the limit and the best surface are those since then. The next steps find where the surface
+  /// goes to first order with the metric that is there, before one is built anew.
+  ///
+  /// Points are those of the cage that was given, as many and of the same faces. What is held is then where a run from
+  /// the moved cage would hold it, to the last bit where its unit coordinates are the same, since this run keeps those
+  /// of its first cage; what is free follows as smoothly as it can, and by the metric. Where nothing is held and nothing
+  /// pulls, the surface stays.
   ///
   /// Of its symmetry the run keeps what the targets have. If they do not fit the problem, or contradict one another,
   /// the run stays as it is.
   std::optional<Error> retarget(const Targets& targets);
+
+  /// The cage, with its points where the latest targets have them.
+  const Cage& cage() const;
 
   /// Ends the run at once. Its result is what has been computed so far. The stop reason of the current level is
   /// kCancelled unless it had just ended by itself.

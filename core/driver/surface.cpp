@@ -74,10 +74,11 @@ std::optional<Error> copy_over_symmetry(const Constraints& constraints, const st
 
 }  // namespace
 
-Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints) {
+Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints,
+                            const std::optional<Placement>& given) {
   Result<std::vector<bool>> held = held_faces(cage, constraints);
   if (!held) return held.error();
-  const Placement placement = placement_of(cage.vertices);
+  const Placement placement = given ? *given : placement_of(cage.vertices);
   RefinedCage result{0, PolygonMesh(cage), placement.to_unit(cage.vertices), {}, placement};
   result.held = on_mesh(*held, cage, result.mesh);
   const PolygonMesh& mesh = result.mesh;

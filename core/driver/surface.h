@@ -49,8 +49,9 @@ double faces_after(const PolygonMesh& cage, int steps);
 /// The cage at level 0 with its symmetry group (C1 unless `symmetric`); its points are made exactly symmetric, except
 /// those that held faces depend on. Of the symmetry, that part is left which keeps what is held. Fails as
 /// `required_level` and `held_faces`, and if the mesh after `last_level` steps would have more than
-/// kMaxFaces faces.
-Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints = {});
+/// kMaxFaces faces. Its unit coordinates are those of `placement`, by default the cage's own.
+Result<RefinedCage> prepare(const Cage& cage, int last_level, bool symmetric, const Constraints& constraints = {},
+                            const std::optional<Placement>& placement = {});
 /// The cage after `steps` further Catmull-Clark steps.
 RefinedCage refine(RefinedCage cage, int steps);
 /// The control points that the surface over held faces depends on, which stay where the cage's own surface has them;

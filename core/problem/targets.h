@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What can change under a run: the weights of its terms, where its pins lie, and how strongly it is pulled back.
+/// What can change under a run: the weights of its terms, where its pins and the points of its cage lie, and how
+/// strongly it is pulled back.
 ///
 ///     {"terms": {"bending": 0.9, "mvs_cross": 0.1}, "pins": [{}, {"at": [0, 0, 1.5]}], "closeness": 40}
 #pragma once
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/types.h"
 #include "problem/constraints.h"
 #include "problem/members.h"
 #include "problem/options.h"
@@ -34,17 +36,21 @@ struct Targets {
   std::optional<Weights> terms{};
   std::vector<PinTarget> pins{};      ///< one for each of the problem's, in their order; or none
   std::optional<double> closeness{};  ///< the weight, where the problem has one
+  /// Of all points of the problem's cage, before it is filled. What is held follows: held faces, boundaries, pins that
+  /// hold the surface where the cage has it, and what the surface is pulled to.
+  std::optional<Points> points{};
 
   template <class Visit, class Self>
   static void members(Visit&& visit, Self& self) {
     visit("terms", self.terms, "Weights of the functionals whose sum is minimized, 0 unless given");
     visit("pins", self.pins, "One for each of the problem's pins");
     visit("closeness", self.closeness, "The weight of the term that pulls to the cage's own surface");
+    visit("points", self.points, "x, y, z of each point of the cage, one after another");
   }
 };
 
-/// Writes the targets into what a problem asks for. If they do not fit it, nothing changes, and the error names the
-/// member: "pins[1].at[0]: null, but the pin holds this coordinate".
+/// Writes the targets into what a problem asks for, but for the cage's points. If they do not fit it, nothing changes,
+/// and the error names the member: "pins[1].at[0]: null, but the pin holds this coordinate".
 std::optional<Error> set_targets(const Targets& targets, RunOptions& options, Constraints& constraints);
 
 }  // namespace umbilic

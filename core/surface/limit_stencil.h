@@ -26,6 +26,7 @@ struct SurfacePlace {
   int steps = 0;  ///< since the quad by whose coordinates tangents are derivatives
 
   bool is_vertex() const { return vertex >= 0; }
+  bool operator==(const SurfacePlace&) const = default;
 };
 
 /// The same place on catmull_clark_mesh(mesh).
