@@ -3,7 +3,7 @@
  * @file The plane of the triangle picker: places and shares, and keys.
  */
 import { describe, expect, test } from '@jest/globals';
-import { CENTRE, CORNERS, HEIGHT, movedByKey, placeOf, roundedShares, sharesAt } from '../../web/plot/triangle.js';
+import { CENTRE, CORNERS, HEIGHT, movedByKey, placeOf, sharesAt } from '../../web/plot/triangle.js';
 import { outsideWords, shareWords } from '../../web/words/blends.js';
 
 /** @typedef {import('../../web/plot/triangle.js').Shares} Shares */
@@ -67,13 +67,6 @@ describe('keys', () => {
     expect(['Home', 'End', '0'].map((key) => movedByKey(from, key, false))).toEqual([corners[0], corners[2], CENTRE]);
     expect(movedByKey(from, 'Tab', false)).toBeNull();
   });
-});
-
-test('rounded shares are thousandths of sum 1, none below 0', () => {
-  expect(roundedShares(CENTRE)).toEqual([0.333, 0.333, 0.334]);
-  expect(roundedShares([0.9996, 0.0004, 0])).toEqual([1, 0, 0]);
-  expect(roundedShares([0.4995, 0.5005, 0])).toEqual([0.5, 0.5, 0]);
-  for (const shares of corners) expect(roundedShares(shares)).toEqual(shares);
 });
 
 test('shares are percents to a tenth, and what is at no corner is named', () => {

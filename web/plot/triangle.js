@@ -109,10 +109,3 @@ export function movedByKey(shares, key, large) {
       return null;
   }
 }
-
-/** Rounded to thousandths that sum to 1, so that addresses stay short. @param {Shares} shares @returns {Shares} */
-export function roundedShares([top, left]) {
-  const first = Math.round(1000 * top);
-  const second = Math.min(1000 - first, Math.round(1000 * left));
-  return [first / 1000, second / 1000, (1000 - first - second) / 1000];
-}

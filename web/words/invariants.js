@@ -14,8 +14,8 @@
 /** @type {InvariantWords[]} */
 export const invariants = [
   { id: 'gradient_form', symbol: 'J₃', formula: 'A^{3/2} ∫ II(2∇H, 2∇H) dA' },
-  { id: 'variation_form', symbol: 'J₄', formula: 'A^{3/2} ∫ II_{ij} C_{ikl} C_{jkl} dA' },
-  { id: 'triple_form', symbol: 'J₆', formula: 'A^{5/2} ∫ II_{ia} II_{jb} II_{kc} C_{ijk} C_{abc} dA' },
+  { id: 'variation_form', symbol: 'J₄', formula: 'A^{3/2} ∫ II_{ij}C_{ikl}C_{jkl} dA' },
+  { id: 'triple_form', symbol: 'J₆', formula: 'A^{5/2} ∫ II_{ia}II_{jb}II_{kc}C_{ijk}C_{abc} dA' },
 ];
 
 /** What they are, and why they stand apart from the functionals. */

@@ -13,6 +13,7 @@ import {
   defaultCorners,
   fittedCorners,
   pointOf,
+  roundedShares,
   weightsAt,
   withCorner,
 } from '../../../web/pages/studio/state/corners.js';
@@ -57,7 +58,7 @@ describe('the point of a blend', () => {
     expect(shares).toEqual([0.125, 0.25, 0.625]);
     expect(parts).toEqual(shares);
     expect(outside).toEqual([]);
-    expect(weightsAt(defaultCorners, weights, shares)).toEqual(
+    expect(weightsAt(defaultCorners, weights, parts)).toEqual(
       weightsOf({ [J2]: 0.125, [J1]: 0.25, [BENDING]: 0.625 }),
     );
   });
@@ -65,10 +66,17 @@ describe('the point of a blend', () => {
   test('says what weighs at no corner; moved, it leaves that out', () => {
     const weights = weightsOf({ [BENDING]: 1, mvs: 3 });
     expect(pointOf(defaultCorners, weights)).toEqual({ shares: [0, 0, 1], parts: [0, 0, 0.25], outside: ['mvs'] });
-    expect(pointOf(defaultCorners, weightsOf({ mvs: 3 })).shares).toEqual([1 / 3, 1 / 3, 1 / 3]);
+    expect(pointOf(defaultCorners, weightsOf({ mvs: 3 })).shares).toBeNull();
     expect(weightsAt(defaultCorners, weights, [0.5, 0, 0.5])).toEqual(weightsOf({ [J2]: 0.5, [BENDING]: 0.5 }));
     expect(pointOf(defaultCorners, weightsOf({ [J1]: NaN, [BENDING]: 1 })).shares).toEqual([0, 0, 1]);
   });
+});
+
+test('rounded shares are thousandths of sum 1, none below 0', () => {
+  expect(roundedShares([1 / 3, 1 / 3, 1 / 3])).toEqual([0.333, 0.333, 0.334]);
+  expect(roundedShares([0.9996, 0.0004, 0])).toEqual([1, 0, 0]);
+  expect(roundedShares([0.4995, 0.5005, 0])).toEqual([0.5, 0.5, 0]);
+  expect(roundedShares([0, 0, 1])).toEqual([0, 0, 1]);
 });
 
 describe('a corner', () => {

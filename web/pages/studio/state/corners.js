@@ -3,7 +3,6 @@
  * @file The triangle of a blend: which functionals are at its corners, which point in it the weights are, and the weights
  * of a point. The shares are the weights, as on the page of tori: their sum is 1, and energies are not scaled. Pure.
  */
-import { CENTRE, roundedShares } from '../../../plot/triangle.js';
 
 /** @import {FunctionalName} from '../../../../wasm/types.js' */
 /** @import {Shares} from '../../../plot/triangle.js' */
@@ -37,11 +36,11 @@ export function fittedCorners(corners, weights) {
 }
 
 /**
- * The point of a blend. `parts` are those of the whole blend; `shares` those among the corners, in the middle where none of
- * them weighs; `outside` are the functionals that weigh and are at no corner.
+ * The point of a blend. `parts` are those of the whole blend; `shares` those among the corners, null where none of them
+ * weighs; `outside` are the functionals that weigh and are at no corner.
  * @param {Corners} corners
  * @param {Weights} weights
- * @returns {{shares: Shares, parts: Shares, outside: FunctionalName[]}}
+ * @returns {{shares: Shares | null, parts: Shares, outside: FunctionalName[]}}
  */
 export function pointOf(corners, weights) {
   /** @param {FunctionalName} name */
@@ -52,7 +51,14 @@ export function pointOf(corners, weights) {
   const whole = outside.reduce((total, name) => total + weightOf(name), sum);
   /** @param {number} total */
   const partsOf = (total) => /** @type {Shares} */ (own.map((weight) => (total > 0 ? weight / total : 0)));
-  return { shares: sum > 0 ? partsOf(sum) : CENTRE, parts: partsOf(whole), outside };
+  return { shares: sum > 0 ? partsOf(sum) : null, parts: partsOf(whole), outside };
+}
+
+/** Rounded to thousandths that sum to 1, so that addresses stay short. @param {Shares} shares @returns {Shares} */
+export function roundedShares([top, left]) {
+  const first = Math.round(1000 * top);
+  const second = Math.min(1000 - first, Math.round(1000 * left));
+  return [first / 1000, second / 1000, (1000 - first - second) / 1000];
 }
 
 /**

@@ -6,7 +6,7 @@
 import { cornersOf, pointOf, weightsAt, withCorner } from '../state/corners.js';
 import { takesWeights } from '../state/following.js';
 import { settingsAreFree } from '../state/reduce.js';
-import { CORNERS, HEIGHT, movedByKey, placeOf, sharesAt } from '../../../plot/triangle.js';
+import { CENTRE, CORNERS, HEIGHT, movedByKey, placeOf, sharesAt } from '../../../plot/triangle.js';
 import { element, setText, whenChanged } from '../../../views/dom.js';
 import { svg } from '../../../views/svg.js';
 import { functionals, functionalWords } from '../../../words/functionals.js';
@@ -118,7 +118,7 @@ export function createTriangleView(root, dispatch) {
   on('keydown', (event) => {
     if (!settings || event.ctrlKey || event.metaKey || event.altKey) return;
     const { shares } = pointOf(cornersOf(settings), settings.weights);
-    const to = movedByKey(shares, event.key, event.shiftKey);
+    const to = movedByKey(shares ?? CENTRE, event.key, event.shiftKey);
     if (!to) return;
     event.preventDefault();
     move(to, true);
@@ -135,7 +135,7 @@ export function createTriangleView(root, dispatch) {
 
   const show = whenChanged((/** @type {Corners} */ at, /** @type {Settings['weights']} */ weights) => {
     const { shares: place, parts, outside: others } = pointOf(at, weights);
-    const [x, y] = drawnAt(placeOf(place));
+    const [x, y] = drawnAt(placeOf(place ?? CENTRE));
     point.setAttribute('cx', x.toFixed(1));
     point.setAttribute('cy', y.toFixed(1));
     point.classList.toggle('outside', others.length > 0);
