@@ -58,9 +58,7 @@ describe('the point of a blend', () => {
     expect(shares).toEqual([0.125, 0.25, 0.625]);
     expect(parts).toEqual(shares);
     expect(outside).toEqual([]);
-    expect(weightsAt(defaultCorners, weights, parts)).toEqual(
-      weightsOf({ [J2]: 0.125, [J1]: 0.25, [BENDING]: 0.625 }),
-    );
+    expect(weightsAt(defaultCorners, weights, parts)).toEqual(weightsOf({ [J2]: 0.125, [J1]: 0.25, [BENDING]: 0.625 }));
   });
 
   test('says what weighs at no corner; moved, it leaves that out', () => {
