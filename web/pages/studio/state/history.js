@@ -57,7 +57,7 @@ function withStep(state, step) {
  */
 export function remembered(before, after, action) {
   if (action.type === 'paintingEnded') return withStrokeEnded(after);
-  const slides = action.type === 'weightChanged' || action.type === 'pinMoved' || action.type === 'pinTurned';
+  const slides = action.type === 'weightsChanged' || action.type === 'pinMoved' || action.type === 'pinTurned';
   const moving = slides && action.moving;
   if (slides && !moving && isStroke(before.history.past.at(-1))) return withStrokeEnded(after);
   if (after === before || action.type === 'undoPressed' || action.type === 'redoPressed') return after;
