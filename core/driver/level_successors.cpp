@@ -114,8 +114,7 @@ std::unique_ptr<Level> Level::retargeted(std::unique_ptr<Level> before, RefinedC
   const Coordinates coordinates(targets.mesh, targets.symmetry, held_points(targets, options.cap));
   const Points& own_before = before->start_.own;
   const bool follows = own_before.rows() == targets.own.rows();
-  targets.control =
-      moved_to_equations(targets, coordinates, follows ? Points(targets.own - own_before) : Points());
+  targets.control = moved_to_equations(targets, coordinates, follows ? Points(targets.own - own_before) : Points());
   LevelOptions own = options;
   own.quadrature = before->quadrature();
   own.even_parameters = false;

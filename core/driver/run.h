@@ -56,8 +56,8 @@ class Run {
   ///
   /// Points are those of the cage that was given, as many and of the same faces. What is held is then where a run from
   /// the moved cage would hold it, to the last bit where its unit coordinates are the same, since this run keeps those
-  /// of its first cage; what is free follows as smoothly as it can, and by the metric. Where nothing is held and nothing
-  /// pulls, the surface stays.
+  /// of its first cage; what is free follows as smoothly as it can, and by the metric. Where nothing is held and
+  /// nothing pulls, the surface stays.
   ///
   /// Of its symmetry the run keeps what the targets have. If they do not fit the problem, or contradict one another,
   /// the run stays as it is.

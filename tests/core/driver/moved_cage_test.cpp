@@ -163,8 +163,8 @@ TEST_P(MovedCage, that_is_translated_has_the_translated_surface_at_once) {
   EXPECT_NEAR(ended(run), energy, 1e-10 * energy);
 }
 
-/// The first answer is Newton's: its distance from the minimizer is of second order in the move, and the energy's excess
-/// of fourth.
+/// The first answer is Newton's: its distance from the minimizer is of second order in the move, and the energy's
+/// excess of fourth.
 TEST_P(MovedCage, is_answered_by_the_first_step_to_second_order) {
   const Held held = this->held();
   RunOptions options = up_to_level(1, 1);
@@ -296,8 +296,7 @@ TEST(MovedCages, carry_pins_that_hold_the_surface_where_the_cage_has_it) {
   points.row(0) += Eigen::RowVector3d(0, 0, 0.2);
   RunOptions options = up_to_level(0, 0);
   options.tolerance = 1e-8;
-  umbilic::Run run = begun(cage, options, constraints),
-               expected = begun(with(cage, points), options, constraints);
+  umbilic::Run run = begun(cage, options, constraints), expected = begun(with(cage, points), options, constraints);
   ended(run);
   ASSERT_FALSE(run.retarget(moved_to(points)));
   const double energy = ended(expected);

@@ -41,7 +41,7 @@ umbilic::Run comparing() {
 
 TEST(NarrowerCaps, are_compared_where_the_last_level_did_not_widen_them) {
   const umbilic::Run two = ended_with(with_rings("mvs_cross=1", 2)), one = ended_with(with_rings("mvs_cross=1", 1)),
-            four = ended_with(with_rings("mvs_cross=1", 4, 2));
+                     four = ended_with(with_rings("mvs_cross=1", 4, 2));
   const LevelReport &compared = two.levels()[2], &narrow = one.levels()[2];
   EXPECT_EQ(compared.cap_rings, 2);
   const double difference = narrow.energy_reported - compared.energy_reported;
