@@ -53,8 +53,6 @@ TEST(NarrowerCaps, are_compared_where_the_last_level_did_not_widen_them) {
   EXPECT_TRUE(limit.caps_included);
   EXPECT_LT(std::abs(limit.energy - kLimit), limit.error);
   EXPECT_EQ(two.result().level, 3);
-  ASSERT_EQ(four.limit().status, LimitStatus::kConverging);
-  EXPECT_TRUE(four.limit().caps_included);
   for (const LevelReport& level : four.levels()) {
     EXPECT_EQ(level.narrower_caps_evaluations, 0) << "where they widened";
   }
