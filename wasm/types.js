@@ -9,7 +9,7 @@
 /** Third-order integrals that are odd in II, and only evaluated. @typedef {'gradient_form'|'variation_form'|'triple_form'} InvariantName */
 /** @typedef {'none'|'flat'|'smooth'} CapName */
 /** @typedef {'auto'|'identity'|'sobolev'|'hessian'|'newton'} MetricName */
-/** @typedef {'prepare'|'minimize'|'report'|'done'} Phase */
+/** @typedef {'prepare'|'minimize'|'report'|'compare_caps'|'done'} Phase */
 /** @typedef {'converged'|'max_iterations'|'line_search_stalled'|'round_off'|'not_finite'|'degenerate'|'cancelled'|'below_bound'|'not_resolved'} StopReason */
 
 /* ---- problems ---- */
@@ -172,6 +172,9 @@
  *   only prepares the first such level
  * @property {boolean} credible whether its energies can be those of a surface
  * @property {number} cap_rings rings of faces of its narrowest cap that may move; 0 without caps
+ * @property {number} narrower_caps_energy energy_reported after it was minimized once more with caps half as wide, from
+ *   which the limit's error knows that of the caps; NaN where it was not
+ * @property {number} narrower_caps_evaluations evaluations which that took
  * @property {boolean} thickened whether its start was made thicker because its samples missed curvature
  * @property {number} predicted_decrease how much the level could still decrease the energy when it ended; NaN before the
  *   first iteration
@@ -194,8 +197,9 @@
  * @property {number} order observed order of convergence; NaN if it cannot be determined
  * @property {number} error the limit is within energy ± error
  * @property {number} lower the limit is not below this: energy − error, or the least that a closed surface has
- * @property {boolean} caps_included whether the error knows that of the caps: not for functionals of third order whose
- *   caps did not widen with the last level
+ * @property {boolean} caps_included whether the error knows that of the caps: not where there is no limit, nor for
+ *   functionals of third order whose caps did not widen with the last level, unless that before was minimized with
+ *   narrower caps, too
  */
 
 /**

@@ -44,6 +44,7 @@ import { createRunView } from './pages/studio/views/run.js';
 import { createSectionView } from './pages/studio/views/section.js';
 import { createShowView } from './pages/studio/views/show.js';
 import { createEnergiesView, createLevelsView } from './pages/studio/views/tables.js';
+import { createTriangleView } from './pages/studio/views/triangle.js';
 import { createUndrawnView } from './pages/studio/views/undrawn.js';
 import { createCopyView } from './views/copy.js';
 import { find, setText } from './views/dom.js';
@@ -188,6 +189,7 @@ const plain = [
   createHeldKeyView(byId('held-key')),
   createCrossingsView(byId('crossings')),
   createObjectiveView(byId('objective'), dispatch),
+  createTriangleView(byId('triangle'), dispatch),
   createExamplesView(byId('objective')),
   createRunView(byId('run'), dispatch),
   createShowView(byId('show'), dispatch),

@@ -22,7 +22,8 @@ void write_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(
 std::string describe(const Progress& progress) {
   std::string text = fmt::format("level {}", progress.level);
   if (progress.phase == Phase::kPrepare) return text + ": preparing";
-  text += fmt::format(": {} evaluations", progress.evaluations);
+  text += progress.phase == Phase::kCompareCaps ? std::string(": comparing with narrower caps")
+                                                : fmt::format(": {} evaluations", progress.evaluations);
   if (std::isfinite(progress.energy)) text += fmt::format(", energy {:.10g}", progress.energy);
   if (std::isfinite(progress.predicted_decrease)) text += fmt::format(", to gain {:.1e}", progress.predicted_decrease);
   return text + fmt::format(", {:.0f} % done, {} left", std::floor(100 * progress.share_done),

@@ -214,6 +214,11 @@ std::string level_table(const std::vector<LevelReport>& levels) {
   }
   if (!even.empty()) text += fmt::format("  a term kept the parametrization even, and fell to 0: levels {}\n", even);
   for (const LevelReport& level : levels) {
+    if (!std::isfinite(level.narrower_caps_energy)) continue;
+    text += fmt::format("  level {} with caps half as wide: {:.10g} after {} evaluations\n", level.level,
+                        level.narrower_caps_energy, level.narrower_caps_evaluations);
+  }
+  for (const LevelReport& level : levels) {
     if (!level.thickened) continue;
     text +=
         fmt::format("  level {} began thicker than it was: its samples missed curvature of its rims\n", level.level);

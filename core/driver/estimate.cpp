@@ -143,11 +143,15 @@ double Forecast::seconds_left() const {
       work = evaluations_left(evaluations_, level.expected.evaluations) * level.each();
     left += work * slowness_of(level);
   }
+  if (const Planned* level = find(repeated_)) {
+    left += evaluations_left(repeated_evaluations_, kNearPart * level->expected.evaluations) * level->each() *
+            slowness_of(*level);
+  }
   return left;
 }
 
 void Forecast::update() {
-  const double spent = ended_seconds_ + seconds_, all = spent + seconds_left();
+  const double spent = ended_seconds_ + seconds_ + repeated_seconds_, all = spent + seconds_left();
   if (all > 0) share_ = std::clamp(spent / all, share_, 1.);
 }
 
@@ -155,6 +159,22 @@ void Forecast::level_advanced(int level, int evaluations, double seconds) {
   level_ = level;
   evaluations_ = evaluations;
   seconds_ = std::max(seconds, 0.);
+  update();
+}
+
+void Forecast::level_repeated(int level, int evaluations, double seconds) {
+  repeated_ = level;
+  repeated_evaluations_ = evaluations;
+  repeated_seconds_ = std::max(seconds, 0.);
+  update();
+}
+
+void Forecast::repetition_ended() {
+  ended_seconds_ += repeated_seconds_;
+  if (const Planned* known = find(repeated_)) ended_work_ += repeated_evaluations_ * known->each();
+  repeated_ = -1;
+  repeated_evaluations_ = 0;
+  repeated_seconds_ = 0;
   update();
 }
 

@@ -42,6 +42,10 @@ class Forecast {
   /// A level has ended, after so many evaluations and seconds.
   void level_ended(int level, int evaluations, double seconds);
 
+  /// An ended level is minimized once more, from where it ended: what has been done of that so far, and that it ended.
+  void level_repeated(int level, int evaluations, double seconds);
+  void repetition_ended();
+
   double seconds_left() const;
   /// Of the time of the whole run; never falls.
   double share_done() const { return share_; }
@@ -65,6 +69,8 @@ class Forecast {
 
   std::vector<Planned> levels_;
   int level_ = -1, evaluations_ = 0;                       // of the level that goes on
+  int repeated_ = -1, repeated_evaluations_ = 0;           // of the level that is minimized once more
+  double repeated_seconds_ = 0;                            // of that
   double seconds_ = 0;                                     // of that level
   double ended_seconds_ = 0, ended_work_ = 0, share_ = 0;  // of those that have ended
 };

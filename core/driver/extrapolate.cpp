@@ -13,7 +13,7 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 LimitReport no_limit(LimitStatus status, double energy, double order) {
-  return {status, energy, order, kNaN, kNaN, true};
+  return {status, energy, order, kNaN, kNaN, false};
 }
 
 /// The least of those that can be a surface's, or the last where none can.
@@ -104,8 +104,14 @@ LimitReport extrapolate(const std::vector<LevelEnergy>& levels, bool third_order
     correction = agree ? 0 : decrease / (std::exp2(std::min(order, elements)) - 1);
   }
   const double most = std::abs(decrease) / (std::exp2(least_order(levels, elements, order)) - 1);
-  const double error = std::max(most - correction, correction) + uncertainty;
-  const bool caps_included = !third_order || three[2].cap_rings == 0 || three[2].cap_rings > three[1].cap_rings;
+  double error = std::max(most - correction, correction) + uncertainty;
+  bool caps_included = !third_order || three[2].cap_rings == 0 || three[2].cap_rings > three[1].cap_rings;
+  if (!caps_included && std::isfinite(three[1].with_narrower_caps)) {
+    const double half = (three[1].with_narrower_caps - three[1].energy) / 2;
+    correction += half;
+    error += std::abs(half);
+    caps_included = true;
+  }
   return limit_above(lower_bound, last - correction, order, error, caps_included);
 }
 

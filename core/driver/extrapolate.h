@@ -24,8 +24,11 @@
 ///
 /// Caps (surface/cap.h) leave an error in energies of third order that falls with their width only. Where the narrowest
 /// cap of the last level is wider than that of the level before, d2 knows this error too, as it falls by the same
-/// factor; else `caps_included` is false. Caps stay as wide where something held, a boundary or another extraordinary
-/// vertex is near.
+/// factor; else the level before the last is minimized again with caps half as wide, which costs a quarter. What caps
+/// leave falls to a third or less with each doubling of their width, about (`npm run bench -- caps`), and never was
+/// more than the difference d of the two energies: it moves the limit by -d / 2, and the error takes as much more.
+/// Where that level has not been minimized so, `caps_included` is false. Caps stay as wide where something held, a
+/// boundary or another extraordinary vertex is near, and where they are as wide as they may become.
 ///
 /// The error bar reaches to the farther end of the interval, and adds the errors of the optimizer and the quadrature.
 ///
@@ -36,6 +39,7 @@
 /// Without a limit the least energy of a whole level stands in for it, as an upper bound.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "problem/report.h"
@@ -50,6 +54,8 @@ struct LevelEnergy {
   bool minimized = true;
   bool resolved = true;  ///< whether the energy can be the surface's: EnergyReport::credible
   int cap_rings = 0;     ///< of the narrowest cap; 0 without caps
+  /// The least energy of the same level with caps half as wide; NaN where it is not known.
+  double with_narrower_caps = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Smallest observed order at which three levels are believed to be in their asymptotic range.

@@ -66,6 +66,9 @@ class Level {
   /// Until it has built a metric of its own it takes that of the other level, which is near.
   static std::unique_ptr<Level> retargeted(std::unique_ptr<Level> before, RefinedCage targets,
                                            const LevelOptions& options);
+  /// The level with smooth caps half as wide as its narrowest, from the best surface; see driver/extrapolate.h. The
+  /// narrowest must have two rings at least.
+  std::unique_ptr<Level> with_narrower_caps() const;
   /// The level with a thicker start, where the samples miss curvature of its own and see all of that one; see
   /// driver/thickness.h. Null otherwise.
   std::unique_ptr<Level> with_thicker_start() const;

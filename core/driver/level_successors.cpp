@@ -65,6 +65,16 @@ std::unique_ptr<Level> Level::with_closeness(double weight) const {
   return level;
 }
 
+std::unique_ptr<Level> Level::with_narrower_caps() const {
+  LevelOptions options = options_;
+  options.cap.most_rings = surface_.narrowest_cap() / 2;
+  options.energy_before = std::numeric_limits<double>::infinity();
+  options.even_parameters = false;
+  auto level = std::make_unique<Level>(best_cage(), surface_.level(), options);
+  level->thicknesses_tried_ = kThicknessRatios.size();
+  return level;
+}
+
 std::unique_ptr<Level> Level::with_thicker_start() const {
   if (!thicker_) return nullptr;
   RefinedCage start = start_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Steps through the levels: prepare, minimize, report, refine.
+/// Begins a run, keeps its time, and reads its state.
 #include "driver/run.h"
 
 #include <fmt/format.h>
@@ -8,224 +8,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 
-#include "cage/with_points.h"
 #include "driver/accuracy.h"
-#include "driver/best_energies.h"
-#include "driver/cage_faces.h"
-#include "driver/closeness_search.h"
-#include "driver/constraints_report.h"
-#include "driver/ended_level.h"
 #include "driver/equations.h"
-#include "driver/estimate.h"
-#include "driver/extrapolate.h"
 #include "driver/fixed_area.h"
-#include "driver/level.h"
 #include "driver/memory.h"
-#include "driver/retarget.h"
+#include "driver/run_state.h"
 #include "driver/surface_state.h"
 #include "driver/tessellate.h"
 #include "mesh/coordinates.h"
 #include "mesh/hierarchy.h"
 
 namespace umbilic {
-
-struct Run::State {
-  State(const RunOptions& asked, Constraints given, RefinedCage prepared, const Cage& asked_cage)
-      : options(asked),
-        constraints(std::move(given)),
-        cage(std::move(prepared)),
-        own(asked_cage),
-        cage_faces(own, cage.mesh),
-        held_regions(cage.mesh, cage.held) {
-    for (std::size_t f = 0; f < cage.held.size(); ++f) {
-      if (cage.held[f]) held_faces.push_back(cage_faces[static_cast<int>(f)]);
-    }
-  }
-
-  RunOptions options;
-  Constraints constraints;
-  RefinedCage cage;  // at level 0
-  Cage own;          // that it was made from
-  /// Whether orbits are of the cage's symmetry, not of one that a start was found to have, or of a part.
-  bool has_cages_orbits = true;
-  CageFaces cage_faces;
-  HeldRegions held_regions;     // of the cage
-  std::vector<int> held_faces;  // of the cage, sorted
-  int required_level = 0;       // the first level that can be evaluated
-  std::unique_ptr<Level> level;
-  std::optional<EndedLevel> best;  // of the levels before `level`, as far as there are any
-  std::size_t result = 0;          // the index of the best level, once the run is done
-  std::vector<LevelReport> levels;
-  std::vector<LevelEnergy> energies_of_levels;  // of the evaluable ones
-  Progress progress;
-  double level_seconds = 0;
-  Forecast forecast;
-  bool cancelled = false;
-  std::optional<double> within;  // the largest deviation that is allowed, in unit coordinates
-  std::optional<ClosenessSearch> search;
-  std::optional<double> fixed_area;  // see Surface
-  BestEnergies energies;
-
-  LevelOptions level_options() const {
-    LevelOptions next{options.caps(), options.weights, options.max_iterations, tolerance_of(options), options.metric};
-    if (!levels.empty() && !within) next.energy_before = levels.back().energy_reported;
-    next.fixed_area = fixed_area;
-    return next;
-  }
-
-  /// Of a run that goes on with the level that is there; `near`: from a surface that has been minimized.
-  void begin_forecast(bool near) {
-    const Surface& surface = level->surface();
-    LevelSize size = level_size(level->number(), surface.level(), surface.layout(), surface.mesh().surface_face_count(),
-                                surface.symmetry().order, level->unknowns());
-    for (const int genus : surface.genera()) size.genus = std::max(size.genus, genus);
-    forecast = Forecast(size, required_level, options, near);
-  }
-
-  /// What the forecast says after some work.
-  void update_forecast() {
-    const bool done = progress.phase == Phase::kDone;
-    if (!done) forecast.level_advanced(progress.level, progress.evaluations, level_seconds);
-    progress.share_done = done ? 1 : forecast.share_done();
-    progress.seconds_left = done ? 0 : forecast.seconds_left();
-  }
-
-  void update_progress() {
-    progress.level = level->number();
-    const Lbfgs* lbfgs = level->lbfgs();
-    progress.iterations = level->iterations();
-    progress.evaluations = level->evaluations();
-    progress.energy = level->energy();
-    progress.gradient_norm = std::ldexp(level->gradient_norm(), -level->surface().placement().exponent);
-    progress.predicted_decrease = lbfgs ? lbfgs->predicted_decrease() : std::numeric_limits<double>::quiet_NaN();
-    progress.total_evaluations = progress.evaluations;
-    for (const LevelReport& ended : levels) {
-      if (ended.level != progress.level) progress.total_evaluations += ended.evaluations;
-    }
-  }
-
-  void unit() {
-    switch (progress.phase) {
-      case Phase::kPrepare:
-      case Phase::kMinimize: {
-        const double before = progress.energy;
-        const bool ended = level->step();
-        progress.phase = ended ? Phase::kReport : level->preparing() ? Phase::kPrepare : Phase::kMinimize;
-        update_progress();
-        const bool stays = progress.energy == before || (std::isnan(progress.energy) && std::isnan(before));
-        if (!stays) energies.forget();
-        if (auto thicker = level->with_thicker_start()) replace_level(std::move(thicker));
-        if (ended && search && !cancelled && !search->accepts(largest_deviation(level->surface(), level->best()))) {
-          replace_level(level->with_closeness(search->weight()));
-          break;
-        }
-        if (level->should_check_rule() && level->needs_finer_rule(energies.exact(*level)))
-          replace_level(level->with_finer_rule());
-        break;
-      }
-      case Phase::kReport: end_level(); break;
-      case Phase::kDone: break;
-    }
-  }
-
-  /// Begins with a weight by which a deviation of half the bound everywhere costs a tenth of the start's energy.
-  void begin_search(double bound) {
-    const Surface& surface = level->surface();
-    within = std::ldexp(bound, -surface.placement().exponent);
-    const EnergyValue start = surface.energy().evaluate(surface.start(), nullptr);
-    const double half = *within / 2, weight = 0.1 * std::max(start.energy, kEnergyFloor) / (start.area * half * half);
-    search.emplace(*within, std::isfinite(weight) && weight > 0 ? weight : 1);
-    level = level->with_closeness(search->weight());
-  }
-
-  void replace_level(std::unique_ptr<Level> other) {
-    level = std::move(other);
-    energies.forget();
-    progress.phase = Phase::kPrepare;
-    update_progress();
-  }
-
-  std::optional<Error> retarget(const Targets& targets) {
-    RunOptions next = options;
-    Constraints changed = constraints;
-    if (auto error = set_targets(targets, next, changed)) return error;
-    if (Error error; diverges(cage.mesh, options.caps(), next.weights, error)) return error;
-    Result<Cage> moved = targets.points ? with_points(own, *targets.points) : own;
-    if (!moved) return moved.error();
-    Result<Retargeted> retargeted = with_targets(level->best_cage(), cage, targets, changed, *moved, options.caps());
-    if (!retargeted) return retargeted.error();
-    options = next;
-    constraints = std::move(changed);
-    cage = std::move(retargeted->cage);
-    has_cages_orbits = has_cages_orbits && retargeted->has_cages_symmetry;
-    if (targets.points) follow_cage(*std::move(moved));
-    best.reset();
-    levels.clear();
-    energies_of_levels.clear();
-    progress.ended_levels = 0;
-    level_seconds = 0;
-    cancelled = false;
-    replace_level(Level::retargeted(std::move(level), std::move(retargeted->surface), level_options()));
-    begin_forecast(true);
-    update_forecast();
-    return std::nullopt;
-  }
-
-  /// Of a run whose cage has moved.
-  void follow_cage(Cage moved) {
-    own = std::move(moved);
-    fixed_area = fixed_area_of(cage, required_level, options.caps());
-    if (search) search.emplace(*within, search->weight());
-  }
-
-  LimitReport limit() const {
-    if (within) {
-      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-      const double energy = levels.empty() ? nan : levels.back().energy_reported;
-      return {LimitStatus::kNotComparable, energy, nan, nan, nan};
-    }
-    return extrapolate(energies_of_levels, third_order(options.weights), level->surface().lower_bound());
-  }
-
-  void end_level() {
-    const EnergyReport report_of_ended = energies.exact(*level);
-    levels.push_back(level->report(report_of_ended));
-    progress.ended_levels = static_cast<int>(levels.size());
-    const LevelReport& report = levels.back();
-    if (report.evaluable && !within) {
-      const bool minimized =
-          (report.stop == StopReason::kConverged || report.stop == StopReason::kRoundOff) && !level->doubtful();
-      const double left = tolerance_of(options) * std::max(report.energy_reported, kEnergyFloor);
-      energies_of_levels.push_back({report.energy_reported, left + report_of_ended.quadrature_error,
-                                    report_of_ended.functionals[kBending], minimized, report_of_ended.credible(),
-                                    report.cap_rings});
-    }
-    const auto evaluable = static_cast<int>(energies_of_levels.size());
-    const bool last = cancelled || level->number() >= options.last_level ||
-                      levels.back().stop == StopReason::kNotFinite ||
-                      (options.accuracy && suffice(evaluable, limit(), *options.accuracy));
-    std::optional<RefinedCage> finer;
-    if (!last) finer = refine(level->best_cage(), 1);
-    EndedLevel ended{std::move(level), report, report_of_ended};
-    // Levels with different weights do not compare: the last one is the result.
-    if (!best || within || ended.rank() <= best->rank()) {
-      best = std::move(ended);
-      result = levels.size() - 1;
-    }
-    if (last) {
-      level = std::move(best->level);
-      energies.become(best->energies);
-      progress.phase = Phase::kDone;
-      update_progress();
-    } else {
-      if (search) search.emplace(*within, search->weight());
-      replace_level(std::make_unique<Level>(*finer, std::max(finer->level, required_level), level_options()));
-    }
-  }
-};
 
 Result<Run> Run::create(const Cage& cage, const RunOptions& asked, const Constraints& constraints,
                         const std::optional<SurfaceState>& start) {
@@ -286,12 +81,18 @@ bool Run::step(int units) {
   double booked = 0;
   for (int i = 0; i < units && state_->progress.phase != Phase::kDone; ++i) {
     const std::size_t ended = state_->levels.size();
+    const bool compares = state_->narrower != nullptr;
     state_->unit();
-    if (state_->levels.size() > ended) {
-      const double now = seconds();
+    const bool compared = compares && !state_->narrower;
+    if (state_->levels.size() > ended || compared) {
+      const double now = seconds(), taken = state_->level_seconds + now - booked;
       LevelReport& level = state_->levels.back();
-      level.seconds = state_->level_seconds + now - booked;
-      state_->forecast.level_ended(level.level, level.evaluations, level.seconds);
+      level.seconds += taken;
+      if (compared) {
+        state_->forecast.repetition_ended();
+      } else {
+        state_->forecast.level_ended(level.level, level.evaluations, taken);
+      }
       state_->level_seconds = 0;
       booked = now;
     }
@@ -308,6 +109,12 @@ const Cage& Run::cage() const { return state_->own; }
 void Run::cancel() {
   if (state_->progress.phase == Phase::kDone) return;
   state_->cancelled = true;
+  if (state_->progress.phase == Phase::kCompareCaps) {
+    state_->narrower.reset();
+    state_->go_on();
+    state_->update_forecast();
+    return;
+  }
   state_->level->cancel();
   state_->progress.phase = Phase::kReport;
   step(1);

@@ -8,14 +8,15 @@
 namespace umbilic {
 
 /// What a run is about to do; every `step` finishes at most one of these.
-enum class Phase { kPrepare, kMinimize, kReport, kDone };
+enum class Phase { kPrepare, kMinimize, kReport, kCompareCaps, kDone };
 
-/// "prepare", "minimize", "report", "done".
+/// "prepare", "minimize", "report", "compare_caps", "done".
 constexpr std::string_view name_of(Phase phase) {
   switch (phase) {
     case Phase::kPrepare: return "prepare";
     case Phase::kMinimize: return "minimize";
     case Phase::kReport: return "report";
+    case Phase::kCompareCaps: return "compare_caps";
     case Phase::kDone: return "done";
   }
   return "";

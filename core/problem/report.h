@@ -41,6 +41,8 @@ struct LevelReport {
   bool thickened = false;
   bool evaluable = true;
   int cap_rings = 0;
+  double narrower_caps_energy = std::numeric_limits<double>::quiet_NaN();
+  int narrower_caps_evaluations = 0;
   double predicted_decrease = std::numeric_limits<double>::quiet_NaN();
 
   template <class Visit, class Self>
@@ -66,6 +68,10 @@ struct LevelReport {
           "Whether the moved mesh is the evaluated one; coarser ones only prepare the first of these");
     visit("credible", self.credible, "Whether its energies can be those of a surface");
     visit("cap_rings", self.cap_rings, "Rings of faces of its narrowest cap that may move; 0 without caps");
+    visit("narrower_caps_energy", self.narrower_caps_energy,
+          "energy_reported after it was minimized once more with caps half as wide, from which the limit's error knows "
+          "that of the caps; null where it was not");
+    visit("narrower_caps_evaluations", self.narrower_caps_evaluations, "Evaluations which that took");
     visit("thickened", self.thickened,
           "Whether its start was made thicker, because its samples missed curvature (core/driver/thickness.h)");
     visit("predicted_decrease", self.predicted_decrease,
@@ -118,7 +124,7 @@ struct LimitReport {
   double order = 0;
   double error = 0;
   double lower = 0;
-  bool caps_included = true;
+  bool caps_included = false;
 
   /// The error as a part of the limit; NaN unless there is one.
   double relative_error() const {
@@ -135,8 +141,8 @@ struct LimitReport {
           "The limit is not below this: energy - error, or the least that a closed surface has; null where there is "
           "none");
     visit("caps_included", self.caps_included,
-          "Whether the error knows that of the caps: not for functionals of third order whose caps did not widen with "
-          "the last level");
+          "Whether the error knows that of the caps: not where there is no limit, nor for functionals of third order "
+          "whose caps did not widen with the last level, unless that before was minimized with narrower caps, too");
   }
 };
 

@@ -48,6 +48,14 @@ async function minimize(page) {
   await page.locator('#downloads [name=save]:not([aria-disabled=true])').waitFor();
 }
 
+/** A blend that weighs something at no corner of its triangle, whose point has the focus. @param {Page} page */
+async function blend(page) {
+  await measured(page);
+  await page.locator('[name=functional]').selectOption('blend');
+  await page.getByRole('slider', { name: 'Point of the blend' }).focus();
+  await drawn(page);
+}
+
 /** @param {Page} page */
 async function details(page) {
   await minimize(page);
@@ -138,6 +146,8 @@ const states = [
   ['the studio with held parts', 'studio.html', hold],
   ['the studio that edits a cage', 'studio.html', edit],
   ['the studio with boundaries', 'studio.html', fillAndRefuse],
+  ['the studio with a blend', 'studio.html', blend],
+  ['the studio with a blend on a phone', 'studio.html', blend, phone],
   ['the studio after a run', 'studio.html', minimize],
   ['the studio with all details open', 'studio.html', details],
   [

@@ -183,3 +183,29 @@ describe('the torus of least energy', () => {
     60_000,
   );
 });
+
+test('any two functionals can be blended, and the invariants that are not minimized stand below them', async () => {
+  const { page, errors } = await open();
+  for (const name of ['first', 'second']) {
+    const offered = await page
+      .locator(`[name=${name}] option`)
+      .evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
+    expect(offered).toEqual(
+      expect.arrayContaining(['mean_curvature_variation', 'second_form_variation', 'curvedness_variation', 'bending']),
+    );
+  }
+  const a = (await numbers(page)).ratio;
+  /** @param {string} id */
+  const odd = async (id) => number(await page.locator(`[data-invariant=${id}] .here`).innerText());
+  const b = 1 - a * a;
+  expectPrinted(await odd('gradient_form'), 16 * Math.PI ** 5 * a ** -0.5 * b ** -1.5);
+  expectPrinted(await odd('variation_form'), 16 * Math.PI ** 5 * a ** -0.5 * (1 - 3 * a * a) * b ** -2.5);
+  expectPrinted(await odd('triple_form'), 48 * Math.PI ** 7 * a ** 0.5 * (1 + 4 * a * a) * b ** -3.5);
+  // A thin torus is only approached, so that there is none whose invariants could be printed.
+  await page.locator('[name=first]').selectOption('mean_curvature_variation');
+  await page.locator('[name=second]').selectOption('second_form_variation');
+  await page.locator('.energy').filter({ hasText: 'infimum' }).waitFor();
+  expect(await page.locator('[data-invariant=triple_form] .here').innerText()).toBe('–');
+  expect(errors).toEqual([]);
+  await page.context().close();
+}, 60_000);

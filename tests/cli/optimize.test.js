@@ -82,6 +82,8 @@ describe('a run', () => {
       quadrature: 0,
       evaluable: true,
       cap_rings: expect.any(Number),
+      narrower_caps_energy: null,
+      narrower_caps_evaluations: 0,
       credible: true,
       thickened: false,
       predicted_decrease: expect.any(Number),

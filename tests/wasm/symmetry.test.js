@@ -104,7 +104,7 @@ describe('the limit', () => {
       order: NaN,
       error: NaN,
       lower: NaN,
-      caps_included: true,
+      caps_included: false,
     });
   });
 

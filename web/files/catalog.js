@@ -22,7 +22,7 @@
 
 /**
  * Levels that an earlier version computed lack the members that came later.
- * @typedef {'credible' | 'thickened' | 'predicted_decrease' | 'parametrization_stages' | 'factorizations'} LaterMember
+ * @typedef {'credible' | 'thickened' | 'predicted_decrease' | 'parametrization_stages' | 'factorizations' | 'narrower_caps_energy' | 'narrower_caps_evaluations'} LaterMember
  * @typedef {Omit<LevelReport, 'energy_reported' | 'seconds' | LaterMember> & Partial<Pick<LevelReport, LaterMember>>
  *   & {energy_reported: number | null, seconds: null}} EntryLevel
  */

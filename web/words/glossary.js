@@ -61,6 +61,12 @@ export const glossary = [
     words: 'One computation of the energy, and of how each control point changes it. A run is a few hundred of them.',
   },
   {
+    id: 'even-invariants',
+    name: 'Even invariants',
+    words:
+      'J₁, the variation of the second form, J₂, that of mean curvature, and J₅, that of curvedness: they are the same from both sides of a surface, never below 0, and can be minimized.',
+  },
+  {
     id: 'extraordinary-vertex',
     name: 'Extraordinary vertex',
     words: 'A vertex where not four edges meet. Everywhere else the surface is as smooth as can be.',
@@ -130,6 +136,12 @@ export const glossary = [
     id: 'order',
     name: 'Observed order',
     words: 'How fast the error falls from level to level: with order 2, each finer level has a quarter of the error.',
+  },
+  {
+    id: 'odd-invariants',
+    name: 'Odd invariants',
+    words:
+      'J₃, J₄ and J₆ weigh the change of curvature by curvature itself. From the other side of a surface they have the opposite sign and no least value, so they are evaluated and never minimized.',
   },
   {
     id: 'patch',

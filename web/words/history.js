@@ -58,8 +58,9 @@ export function stepName(action) {
       return `open ${action.name}`;
     case 'settingsChanged':
       return settingName(action.change);
-    case 'weightChanged':
-      return settingWords.weights;
+    case 'weightsChanged':
+      if (action.corners) return 'choose a corner';
+      return Object.keys(action.weights).length > 1 ? 'move the point of the blend' : settingWords.weights;
     case 'facesPainted':
       return action.held ? 'hold faces' : 'free faces';
     case 'groupHeld':

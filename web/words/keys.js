@@ -50,5 +50,13 @@ export const keyGroups = {
       ],
     },
     picture,
+    {
+      title: 'On the triangle of a blend',
+      keys: [
+        { keys: ['←', '→', '↑', '↓'], words: 'Move the point; further with Shift' },
+        { keys: ['1', '2', '3'], words: 'To the top, the left and the right corner' },
+        { keys: ['0'], words: 'To the middle' },
+      ],
+    },
   ],
 };

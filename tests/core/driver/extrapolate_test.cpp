@@ -184,6 +184,23 @@ TEST(Extrapolate, tells_whether_the_caps_widened_with_the_last_level) {
   EXPECT_FALSE(with(4, 4, true));
   EXPECT_FALSE(with(16, 16, true));
   EXPECT_TRUE(with(4, 4, false)) << "which does not depend on caps";
+  levels.pop_back();
+  EXPECT_FALSE(extrapolate(levels, true).caps_included) << "without a limit";
+}
+
+TEST(Extrapolate, takes_the_difference_to_narrower_caps_into_the_bar) {
+  auto levels = sequence(100, 1, 2);
+  levels[1].cap_rings = levels[2].cap_rings = 4;
+  const LimitReport without = extrapolate(levels, true);
+  for (const double difference : {0.5, -0.25}) {
+    levels[1].with_narrower_caps = levels[1].energy + difference;
+    const LimitReport with = extrapolate(levels, true);
+    EXPECT_TRUE(with.caps_included);
+    EXPECT_NEAR(with.energy, without.energy - difference / 2, 1e-12);
+    EXPECT_NEAR(with.error, without.error + std::abs(difference) / 2, 1e-12);
+  }
+  levels[2].cap_rings = 8;
+  EXPECT_EQ(extrapolate(levels, true).error, without.error) << "where the levels know it";
 }
 
 TEST(Extrapolate, adds_what_minimization_and_quadrature_leave_of_the_last_two_levels) {

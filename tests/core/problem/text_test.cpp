@@ -62,6 +62,8 @@ Report full_report() {
                     .credible = false,
                     .thickened = true,
                     .evaluable = false,
+                    .narrower_caps_energy = 1.375,
+                    .narrower_caps_evaluations = 5,
                     .predicted_decrease = 0.0625}};
   report.limit = {.status = LimitStatus::kNotConverging, .energy = 113, .order = kNan, .error = kNan, .lower = kNan};
   report.energies.functionals = {1, 2, 3, 4, kNan, 6, 7, 8};

@@ -17,7 +17,7 @@ const start = /** @type {const} */ ({ type: 'startPressed' });
 const undo = /** @type {const} */ ({ type: 'undoPressed' });
 const redo = /** @type {const} */ ({ type: 'redoPressed' });
 /** @param {number} weight @param {boolean} [moving] @returns {Action} */
-const weigh = (weight, moving = false) => ({ type: 'weightChanged', functional: 'mvs_cross', weight, moving });
+const weigh = (weight, moving = false) => ({ type: 'weightsChanged', weights: { mvs_cross: weight }, moving });
 
 /** A studio with a blend of bending and MVS_cross on a frame, of which one level is asked. */
 function blending(share = 0.01) {
@@ -89,7 +89,7 @@ test('waits in a run that is paused', () => {
 
 test('is not asked where nothing weighs, or where the run minimizes one functional', () => {
   const studio = blending();
-  studio.do(start, { type: 'weightChanged', functional: 'bending', weight: 0 });
+  studio.do(start, { type: 'weightsChanged', weights: { bending: 0 } });
   expect(studio.state.document.result.stop).toBe('converged');
   const { targets } = studio.state.session;
   studio.do(weigh(0));

@@ -45,7 +45,7 @@ function heldFish() {
     { type: 'vertexPinned', vertex: 3 },
     { type: 'closenessChanged', closeness: { within: 0.05 } },
     { type: 'settingsChanged', change: { functional: 'blend', levels: [1, 1], tolerance: 1e-4, accuracy: null } },
-    { type: 'weightChanged', functional: 'bending', weight: 1 / 3 },
+    { type: 'weightsChanged', weights: { bending: 1 / 3 } },
     { type: 'viewChanged', change: { shading: 'gaussian' } },
   );
   return studio;

@@ -57,9 +57,9 @@ describe('settings', () => {
       resting(),
       { type: 'settingsChanged', change: { functional: 'blend' } },
       ...openedMessages(2),
-      { type: 'weightChanged', functional: 'bending', weight: 0 },
+      { type: 'weightsChanged', weights: { bending: 0 } },
       ...openedMessages(3),
-      { type: 'weightChanged', functional: 'mvs_cross', weight: 0 },
+      { type: 'weightsChanged', weights: { mvs_cross: 0 } },
     );
     expect(problemWith(blend.document.settings)).toMatch(/weight/);
     expect(blend.session.opening).toBeNull();
@@ -83,7 +83,10 @@ describe('settings', () => {
         tolerance: 0.1,
       }),
       changeSettings(defaultSettings, { accuracy: 0.02 }),
-      changeSettings(defaultSettings, { functional: 'blend' }),
+      changeSettings(defaultSettings, {
+        functional: 'blend',
+        weights: { ...defaultSettings.weights, mvs_cross: 0, second_form_variation: 0.5 },
+      }),
     ]) {
       const problem = /** @type {import('../../../wasm/types.js').Problem} */ (problemOf(source, settings, start));
       expect(problem.cage).toEqual({ generator: 'torus', family: 'hub', thickness: 2, ratio: 0.3 });

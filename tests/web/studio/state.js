@@ -116,6 +116,8 @@ export function levelReport(level, more = {}) {
     parametrization_stages: 0,
     evaluable: true,
     cap_rings: 4,
+    narrower_caps_energy: NaN,
+    narrower_caps_evaluations: 0,
     credible: true,
     thickened: false,
     quadrature: 0,

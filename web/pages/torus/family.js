@@ -5,7 +5,7 @@
  * functionals. Pure; the energies come from the core.
  */
 
-/** @import {FunctionalName} from '../../../wasm/types.js' */
+/** @import {FunctionalName, InvariantName} from '../../../wasm/types.js' */
 /** @import {Weights} from '../../address/weights.js' */
 /** @import {TorusEnergies} from '../../worker/tori.js' */
 /** @import {Blend} from './types.js' */
@@ -24,6 +24,22 @@ export const thinLimits = {
   second_form_variation: '24π⁴',
   mean_curvature_variation: '8π⁴',
 };
+
+/**
+ * The third-order invariants of a torus in closed form, with II positive on its outside. With R = 1 the only derivative
+ * of curvature that does not vanish is c = dκ₂/ds around the tube, so that with κ₁ = 1/a the densities are κ₁c²,
+ * (κ₁ + 2κ₂)c² and 3κ₁κ₂²c².
+ * @param {number} a ratio between 0 and 1
+ * @returns {Record<InvariantName, number>}
+ */
+export function torusInvariants(a) {
+  const b = 1 - a ** 2;
+  return {
+    gradient_form: 16 * Math.PI ** 5 * a ** -0.5 * b ** -1.5,
+    variation_form: 16 * Math.PI ** 5 * a ** -0.5 * (1 - 3 * a ** 2) * b ** -2.5,
+    triple_form: 48 * Math.PI ** 7 * a ** 0.5 * (1 + 4 * a ** 2) * b ** -3.5,
+  };
+}
 
 /**
  * The ratios that the paper's figure 5 prints as minimizers of w₁·bending + w₂·MVS_cross. The figure calls the first

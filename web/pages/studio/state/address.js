@@ -4,8 +4,9 @@
  */
 import { parseStudioAddress } from '../../../address/studio.js';
 import { functionals } from '../../../words/functionals.js';
+import { cornersOf } from './corners.js';
 import { showsEntry } from './entry.js';
-import { activeWeights, defaultSettings } from './settings.js';
+import { activeWeights, blendOf, defaultSettings } from './settings.js';
 
 /** @import {EntryName} from '../../../address/compare.js' */
 /** @import {StudioAddress} from '../../../address/studio.js' */
@@ -23,8 +24,9 @@ export function whatIsAsked(address, settings) {
   const asked = { ...settings, cap, symmetry: symmetry === 'on', levels, accuracy: accuracy || null };
   if (functional === 'blend') {
     const none = Object.fromEntries(functionals.map(({ id }) => [id, 0]));
-    if (Object.keys(weights).length) asked.weights = /** @type {Settings['weights']} */ ({ ...none, ...weights });
-    return { settings: { ...asked, functional: 'blend' }, wanted: null, notices: [] };
+    const all = /** @type {Settings['weights']} */ ({ ...none, ...weights });
+    const blend = Object.keys(weights).length ? blendOf(all, cornersOf(settings)) : null;
+    return { settings: { ...asked, functional: 'blend', ...blend }, wanted: null, notices: [] };
   }
   const known = functionals.find(({ id }) => id === functional);
   if (known) return { settings: { ...asked, functional: known.id }, wanted: null, notices: [] };

@@ -77,7 +77,7 @@ export function targetsBetween(asked, run) {
   return { ...(weighed && { terms }), ...(moved && { pins: places }) };
 }
 
-const followedActions = new Set(['weightChanged', 'pinMoved', 'pinTurned', 'undoPressed', 'redoPressed']);
+const followedActions = new Set(['weightsChanged', 'pinMoved', 'pinTurned', 'undoPressed', 'redoPressed']);
 
 /**
  * The state in which the run is told what an action has changed, if it can follow.

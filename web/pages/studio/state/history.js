@@ -60,7 +60,7 @@ export function remembered(before, after, action) {
   if (action.type === 'cageDragged' || action.type === 'cageEdited') {
     if (after.session.targets !== before.session.targets) return withGesture(before, after, action);
   }
-  const slides = action.type === 'weightChanged' || action.type === 'pinMoved' || action.type === 'pinTurned';
+  const slides = action.type === 'weightsChanged' || action.type === 'pinMoved' || action.type === 'pinTurned';
   const moving = slides && action.moving;
   if (slides && !moving && isStroke(before.history.past.at(-1))) return withStrokeEnded(after);
   if (after === before || action.type === 'undoPressed' || action.type === 'redoPressed') return after;

@@ -201,10 +201,11 @@ function changed(state, action) {
       const changed = withDocument(state, { settings: changeSettings(document.settings, action.change) });
       return session.phase.name === 'ended' ? changed : openPreview(changed);
     }
-    case 'weightChanged': {
-      const weights = { ...document.settings.weights, [action.functional]: action.weight };
-      if (takesWeights(state)) return withSettings(state, { weights });
-      return changed(state, { type: 'settingsChanged', change: { weights } });
+    case 'weightsChanged': {
+      const { weights, corners = document.settings.corners } = action;
+      const change = { weights: { ...document.settings.weights, ...weights }, corners };
+      if (takesWeights(state)) return withSettings(state, change);
+      return changed(state, { type: 'settingsChanged', change });
     }
     case 'facesPainted':
     case 'paintingEnded':

@@ -3,8 +3,10 @@
  * @file The user's settings: their defaults, what is wrong with them, and the problem that they define.
  */
 
+import { cornersOf, defaultCorners, fittedCorners } from './corners.js';
+
 /** @import {CageInput, FunctionalName, Problem, SurfaceState} from '../../../../wasm/types.js' */
-/** @import {Settings, Source} from './types.js' */
+/** @import {Corners, Settings, Source} from './types.js' */
 
 /** The largest level that the page offers. Each level has four times as many patches as the one before. */
 export const MAX_LEVEL = 6;
@@ -25,6 +27,7 @@ export const defaultSettings = {
     mean_curvature_variation: 0,
     curvedness_variation: 0,
   },
+  corners: defaultCorners,
   cap: 'smooth',
   cap_rings: 4,
   symmetry: true,
@@ -120,6 +123,13 @@ export function sourceOf(cage, name) {
   return { kind: 'generated', name: generator, family, thickness, ...parameters };
 }
 
+/** @param {Settings['weights']} weights @param {Corners} corners as they were @returns {Pick<Settings, 'functional' | 'weights' | 'corners'>} */
+export const blendOf = (weights, corners) => ({
+  functional: 'blend',
+  weights,
+  corners: fittedCorners(corners, weights),
+});
+
 /**
  * The page's settings for a problem.
  * @param {Settings} settings
@@ -136,7 +146,7 @@ export function settingsFrom(settings, { terms, fill, constraints = {}, options 
     constraints,
     fill: fill ?? null,
     accuracy: options?.accuracy ?? null,
-    ...(single ? { functional: names[0] } : { functional: /** @type {const} */ ('blend'), weights }),
+    ...(single ? { functional: names[0] } : blendOf(weights, cornersOf(settings))),
   };
   for (const name of /** @type {const} */ (['cap', 'cap_rings', 'symmetry', 'levels', 'tolerance', 'max_iterations'])) {
     if (options && name in options) Object.assign(asked, { [name]: options[name] });

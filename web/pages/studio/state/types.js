@@ -17,11 +17,14 @@
 /** @import {Exportable, ExportOptions, Message} from '../../../worker/protocol.js' */
 /** @import {Loss} from '../../../worker/client.js' */
 
+/** Three different functionals, at the top, the left and the right. @typedef {[FunctionalName, FunctionalName, FunctionalName]} Corners */
+
 /**
  * The user's settings. With `functional` 'blend' the weights hold.
  * @typedef {object} Settings
  * @property {FunctionalName | 'blend'} functional
  * @property {Record<FunctionalName, number>} weights
+ * @property {Corners} corners of the triangle in which the weights are chosen; nothing that is minimized depends on them
  * @property {CapName} cap
  * @property {1|2|4|8|16} cap_rings the most rings of faces that a smooth cap takes
  * @property {boolean} symmetry whether the surface keeps the symmetry of the cage
@@ -275,7 +278,7 @@
  *   | {type: 'fileChosen', name: string, text: Uint8Array}
  *   | {type: 'fileRefused', name: string, message: string}
  *   | {type: 'settingsChanged', change: Partial<Settings>}
- *   | {type: 'weightChanged', functional: FunctionalName, weight: number, moving?: boolean}
+ *   | {type: 'weightsChanged', weights: Partial<Settings['weights']>, corners?: Corners, moving?: boolean}
  *   | {type: 'startPressed'} | {type: 'pausePressed'} | {type: 'stepPressed'} | {type: 'cancelPressed'} | {type:
  * 'resetPressed'}
  *   | {type: 'finerPressed'} | {type: 'goOnPressed'}

@@ -81,7 +81,7 @@ export function createObjectiveView(root, dispatch) {
       weights.append(element('label', { class: 'line', title: formula }, element('span', {}, name), input), slider);
       /** @param {HTMLInputElement} from @param {boolean} moving */
       const weigh = (from, moving) =>
-        dispatch({ type: 'weightChanged', functional: id, weight: from.valueAsNumber, moving });
+        dispatch({ type: 'weightsChanged', weights: { [id]: from.valueAsNumber }, moving });
       onChange(input, () => weigh(input, false));
       onChange(slider, () => weigh(slider, false));
       slider.addEventListener('input', () => weigh(slider, true), { signal });

@@ -27,6 +27,9 @@ function progressLine({ document, session }) {
   }
   if (!progress || !sample) return runs ? 'Preparing the level …' : '';
   if (runs && progress.phase === 'prepare') return `Preparing level ${progress.level} …`;
+  if (runs && progress.phase === 'compare_caps') {
+    return ['Comparing with narrower caps', leftWords(progress.seconds_left)].filter(Boolean).join(' · ');
+  }
   if (session.phase.name === 'ended' && !HALTED.includes(stop)) return effortWords(levels, sample.evaluation);
   return [
     `energy ${significant(sample.energy, 6)}`,

@@ -6,10 +6,12 @@
 import { energyNotes, objectiveName, objectiveValue } from '../state/select.js';
 import { embeddedWords } from '../../../words/energies.js';
 import { functionalWords, functionals, stopWords } from '../../../words/functionals.js';
+import { invariants, invariantsNote } from '../../../words/invariants.js';
 import { freeName, lengthUnit } from '../../../words/holding.js';
 import { counted, duration, integer, significant, withError } from '../../../words/numbers.js';
 import { metricWords, thickenedWords } from '../../../words/results.js';
 import { createLines, element, whenChanged } from '../../../views/dom.js';
+import { formulaNodes } from '../../../views/formula.js';
 import { termButton } from '../../../views/glossary.js';
 
 /** @import {ConstraintsReport, Energies, LevelReport} from '../../../../wasm/types.js' */
@@ -103,13 +105,45 @@ function energyRows(settings, now, start, deviation, unit) {
   return rows;
 }
 
+/**
+ * The invariants, under a line that says what they are; none where they diverge, or where a stored report is older.
+ * @param {Energies['invariants']} now
+ * @param {Energies['invariants']} start undefined if the surface is still that of the start
+ * @returns {HTMLTableRowElement[]}
+ */
+function invariantRows(now, start) {
+  if (!now || invariants.some(({ id }) => !Number.isFinite(now[id]))) return [];
+  const rows = invariants.map(({ id, symbol, formula }) =>
+    element(
+      'tr',
+      {},
+      element(
+        'th',
+        { scope: 'row', title: `${id} in reports` },
+        `${symbol} `,
+        element('span', { class: 'formula' }, ...formulaNodes(formula)),
+      ),
+      element('td', { class: 'muted' }, ...(start ? cell(start[id], null) : [])),
+      element('td', {}, ...cell(now[id], null)),
+    ),
+  );
+  const head = element(
+    'th',
+    { scope: 'rowgroup', colspan: '3' },
+    termButton('odd-invariants'),
+    element('span', { class: 'formula' }, invariantsNote),
+  );
+  return [element('tr', {}, head), ...rows];
+}
+
 /** @param {HTMLElement} root */
 export function createEnergiesView(root) {
   const body = element('tbody');
+  const odd = element('tbody', { class: 'invariants' });
   const startHead = element('th', { scope: 'col' }, 'Start');
   const nowHead = element('th', { scope: 'col' }, 'Now');
   const head = element('tr', {}, element('td'), startHead, nowHead);
-  const table = element('table', { class: 'energies' }, element('thead', {}, head), body);
+  const table = element('table', { class: 'energies' }, element('thead', {}, head), body, odd);
   const notes = element('div');
   root.append(table, notes);
 
@@ -128,6 +162,7 @@ export function createEnergiesView(root) {
       table.classList.toggle('moved', moved);
       const start = moved ? first.energies : null;
       body.replaceChildren(...energyRows(settings, latest.energies, start, constrained?.deviation, unit));
+      odd.replaceChildren(...invariantRows(latest.energies.invariants, start?.invariants));
     },
   );
   const showNotes = createLines(notes);

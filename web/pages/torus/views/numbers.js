@@ -6,8 +6,9 @@
 import { formatStudioAddress, parseStudioAddress } from '../../../address/studio.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
 import { functionals, functionalWords } from '../../../words/functionals.js';
+import { invariants } from '../../../words/invariants.js';
 import { compact, significant } from '../../../words/numbers.js';
-import { CLIFFORD, isThePapers, namedWeights, printed, shareOf } from '../family.js';
+import { CLIFFORD, isThePapers, namedWeights, printed, shareOf, torusInvariants } from '../family.js';
 
 /** @import {TorusMinimizer} from '../../../../wasm/types.js' */
 /** @import {Blend, Family, Least, State} from '../types.js' */
@@ -63,6 +64,10 @@ export function createNumbersView(root) {
     for (const { id } of functionals) {
       setText(cell(id, 'here'), energies ? significant(energies[id], DIGITS) : '–');
       root.querySelector(`[data-functional=${id}]`)?.classList.toggle('objective', blend.names.includes(id));
+    }
+    const odd = energies && torusInvariants(minimizer.ratio);
+    for (const { id } of invariants) {
+      setText(find(root, `[data-invariant=${id}] .here`), odd ? significant(odd[id], DIGITS) : '–');
     }
   });
   const showFamily = whenChanged((/** @type {Family | null} */ family) => {
