@@ -72,6 +72,11 @@ describe('a catalog', () => {
     expect(catalog('a').code).toBe(0);
     expect(scratch.read('a/two-3.mvs_cross.json')).toBe(scratch.read('b/two-3.mvs_cross.json'));
     expect(time('two-3.bending.json')).toBe(before[1]);
+    const older = stored();
+    delete older.entries[1].second_opinion;
+    scratch.write('a/catalog.json', JSON.stringify(older));
+    expect(catalog('a').code).toBe(0);
+    expect(stored()).toEqual(JSON.parse(scratch.read('b/catalog.json')));
   });
 
   test('agrees with itself, and not with numbers that were changed', () => {
