@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Converts entries to JSON, and compares stored ones.
+/// Converts entries to JSON.
 #include "catalog/catalog_json.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,6 @@
 
 #include "base/instruction_set.h"
 #include "driver/level.h"
-#include "driver/problem_run.h"
 #include "problem/cage_of.h"
 #include "problem/text.h"
 
@@ -53,24 +52,15 @@ Json json_of(const LowerMinimizer& below, const Entry& entry) {
           {"minimizer", file_of(entry, kBelow)}};
 }
 
-bool all_converged(const Json& levels) {
-  return std::all_of(levels.begin(), levels.end(), [](const Json& level) {
-    return !level.at("evaluable") || level.at("stop") == "converged" || level.at("stop") == "round_off";
-  });
-}
-
-constexpr double kConvergedReproducibility = 1e-5;
-constexpr double kOtherReproducibility = 0.1;
-/// Tolerance of the energies of a surface that is only evaluated, relative to the energy but at least to a thousandth
-/// of a sphere's bending. (A quantity that vanishes, like the Gaussian curvature of a torus, is a sum whose terms leave
-/// rounding errors.)
-constexpr double kSurfaceReproducibility = 1e-9;
-constexpr double kSurfaceFloor = 1e3 * kEnergyFloor;
-
-std::string energy_difference(double after, double before, double tolerance, double floor = kEnergyFloor) {
-  const double off = std::abs(after - before) / std::max(std::abs(before), floor);
-  if (off <= tolerance) return "";
-  return fmt::format("{:.12g} was {:.12g}, {:.1e} off, more than {:.0e}", after, before, off, tolerance);
+/// What the second opinion says of the minimized functional, the difference relative to it.
+Json json_of(const OpinionReport& opinion, const Weights& weights) {
+  double energy = 0, difference = 0;
+  for (int i = 0; i < kFunctionalCount; ++i) {
+    if (weights[i] == 0) continue;
+    energy += weights[i] * opinion.values.functionals[i];
+    difference += weights[i] * opinion.differences.functionals[i];
+  }
+  return {{"energy", energy}, {"difference", difference / std::max(std::abs(energy), kEnergyFloor)}};
 }
 
 }  // namespace
@@ -109,6 +99,7 @@ Json json_of(const Entry& entry) {
   result["group"] = part_json(entry.group);
   result["settings"] = json_of(entry.settings);
   result["energies"] = part_json(entry.energies);
+  result["second_opinion"] = json_of(entry.second_opinion, entry.functional.weights);
   result["levels"] = part_json(without_times(entry.levels));
   result["limit"] = part_json(entry.limit);
   result["certificate"] = entry.certificate ? part_json(*entry.certificate) : Json(nullptr);
@@ -122,9 +113,13 @@ Json json_of(const Entry& entry) {
 }
 
 Json json_of(const StartResult& start) {
-  return {{"shape", start.start.shape},         {"functional", start.start.functional},
-          {"thickness", start.start.thickness}, {"energy", start.last.energy_reported},
-          {"level", start.last.level},          {"stop", std::string(name_of(start.last.stop))}};
+  return {{"shape", start.start.shape},
+          {"functional", start.start.functional},
+          {"thickness", start.start.thickness},
+          {"energy", start.last.energy_reported},
+          {"level", start.last.level},
+          {"stop", std::string(name_of(start.last.stop))},
+          {"instruction_set", std::string(name_of(instruction_set()))}};
 }
 
 /// The levels up to that of the minimizer that is shown.
@@ -154,6 +149,7 @@ std::string minimizer_text(const Entry& entry, std::string_view version) {
   if (entry.settings.shown_level) report.problem.options.last_level = entry.result.level;
   report.limit = entry.limit;
   report.energies = entry.energies;
+  report.second_opinion = entry.second_opinion;
   report.certificate = entry.certificate;
   report.surface = SurfaceState{entry.result.level, entry.orbit_points};
   return report_text(report, JsonPrinter::Layout::kCompact);
@@ -188,51 +184,6 @@ Json empty_catalog(std::string_view version) {
           {"shapes", shapes},
           {"entries", Json::array()},
           {"starts", Json::array()}};
-}
-
-double reproducibility(const Json& entry) {
-  return all_converged(entry.at("levels")) ? kConvergedReproducibility : kOtherReproducibility;
-}
-
-std::string difference(const Json& stored, const Json& again) {
-  if (stored.at("status") != again.at("status")) {
-    return fmt::format("was {}, is {}", stored.at("status").get<std::string>(), again.at("status").get<std::string>());
-  }
-  if (stored.at("group") != again.at("group")) return "another symmetry group";
-  if (stored.at("levels").size() != again.at("levels").size()) return "another number of levels";
-  if (stored.contains("below") != again.contains("below")) return "another finding about what it descends to";
-  if (stored.contains("below")) {
-    const std::string below =
-        energy_difference(again.at("below").at("energy"), stored.at("below").at("energy"), kConvergedReproducibility);
-    if (!below.empty()) return "what it descends to: " + below;
-  }
-  return energy_difference(again.at("levels").back().at("energy_reported"),
-                           stored.at("levels").back().at("energy_reported"),
-                           std::max(reproducibility(stored), reproducibility(again)));
-}
-
-std::string start_difference(const Json& stored, const Json& again) {
-  if (stored.at("level") != again.at("level")) return "another level";
-  const bool converged = stored.at("stop") == "converged" && again.at("stop") == "converged";
-  return energy_difference(again.at("energy"), stored.at("energy"),
-                           converged ? kConvergedReproducibility : kOtherReproducibility);
-}
-
-std::string misfit(const Json& entry, std::string_view minimizer) {
-  const Result<Problem> problem = parse_problem(minimizer);
-  if (!problem) return problem.error().message;
-  if (!problem->start) return "it holds no surface";
-  const Result<ProblemRun> run = begin_run(*problem);
-  if (!run) return run.error().message;
-  const Json energies = part_json(run->run.energies());
-  const Json& stored = entry.at("energies");
-  for (const auto& [name, energy] : energies.items()) {
-    // A stored entry may be older than a functional.
-    if (!energy.is_number() || name == "quadrature_error" || !stored.contains(name)) continue;
-    const std::string what = energy_difference(energy, stored.at(name), kSurfaceReproducibility, kSurfaceFloor);
-    if (!what.empty()) return fmt::format("{} of the stored surface: {}", name, what);
-  }
-  return "";
 }
 
 }  // namespace umbilic::catalog

@@ -5,8 +5,10 @@
 /// catalog.json: {"version", "functionals": [{"name", "weights"}], "shapes": [{"name", "genus", "junctions", "arms",
 /// "cage"}], "entries": […], "starts": […]}, in which parts of reports have their usual names. A minimizer's file,
 /// <shape>.<functional>.json, is the report of its run, see problem/text.h; what it descends to is in
-/// <shape>.<functional>.below.json. Numbers have all their digits, and there
-/// are no times.
+/// <shape>.<functional>.below.json. A minimizer's file has its second opinion (driver/second_opinion.h), of all
+/// integrals; the entry's "second_opinion" is {"energy", "difference"}: the minimized functional as that finds it, and
+/// the main energy of the same surface minus this, relatively. Entries and starts that an earlier version wrote lack
+/// what came later. Numbers have all their digits, and there are no times.
 #pragma once
 
 #include <optional>
@@ -33,19 +35,5 @@ std::optional<std::string> below_text(const Entry& entry, std::string_view versi
 
 /// A catalog without entries and starts.
 Json empty_catalog(std::string_view version);
-
-/// How much the recomputed energy of the last level may differ from the stored one, relatively. The same program on the
-/// same instruction set gives the same digits. Others round differently, which can change the number of steps. A
-/// converged level ends within 1e-6 of its minimum, so 1e-5 suffices if all levels have converged. If one has not, the
-/// runs may take different paths, and 0.1 bounds the difference.
-double reproducibility(const Json& entry);
-
-/// Says what differs between `stored` and `again` beyond `reproducibility`; empty if they agree.
-std::string difference(const Json& stored, const Json& again);
-std::string start_difference(const Json& stored, const Json& again);
-
-/// Says which energies of the surface in a minimizer's file differ from its entry by more than 1e-9; empty if none
-/// does.
-std::string misfit(const Json& entry, std::string_view minimizer);
 
 }  // namespace umbilic::catalog

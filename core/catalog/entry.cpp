@@ -25,7 +25,7 @@ class Computation {
     while (run_.progress().phase != Phase::kDone) {
       if (run_.progress().phase == Phase::kReport) {
         if (certifiable() && !certify(watch)) return false;
-        if (run_.progress().level == settings_.shown_level) shown_ = {run_.energies(), run_.orbit_points()};
+        if (run_.progress().level == settings_.shown_level) shown_ = surface();
       }
       run_.step(1);
       if (!watch(run_)) return false;
@@ -51,20 +51,30 @@ class Computation {
       return shown_ && report.level == *settings_.shown_level;
     });
     if (level == run_.levels().end() || level->level >= entry.result.level) {
-      entry.energies = run_.energies();
-      entry.orbit_points = run_.orbit_points();
+      fill(entry, surface());
     } else {
       entry.result = *level;
-      entry.energies = shown_->energies;
-      entry.orbit_points = shown_->orbit_points;
+      fill(entry, *shown_);
     }
   }
 
  private:
   struct Shown {
     EnergyReport energies;
+    OpinionReport second_opinion;
     Points orbit_points;
   };
+
+  /// The run's best.
+  Shown surface() const {
+    return {run_.energies(), run_.second_opinion(OpinionFaces::kOnePerOrbit), run_.orbit_points()};
+  }
+
+  static void fill(Entry& entry, const Shown& shown) {
+    entry.energies = shown.energies;
+    entry.second_opinion = shown.second_opinion;
+    entry.orbit_points = shown.orbit_points;
+  }
 
   /// The report of a level; null if there is none.
   const LevelReport* level(int number) const {
@@ -202,6 +212,7 @@ std::optional<Entry> compute_entry(const CatalogShape& shape, const CatalogFunct
     EntrySettings plain = settings;
     plain.certified_faces.reset();
     plain.descends = false;
+    plain.shown_level.reset();
     plain.run.last_level = settings.second_last_level;
     Computation other(create_run(shape, plain, options).value(), plain);
     if (!other.finish(watch)) return std::nullopt;

@@ -42,8 +42,9 @@ struct Entry {
   std::optional<double> paper;
   std::optional<ExactEnergy> exact;
   GroupReport group;
-  EnergyReport energies;  ///< of the minimizer that is shown: the best level's, or EntrySettings::shown_level's
-  LevelReport result;     ///< that level
+  EnergyReport energies;         ///< of the minimizer that is shown: the best level's, or EntrySettings::shown_level's
+  LevelReport result;            ///< that level
+  OpinionReport second_opinion;  ///< of that surface, from one face of each orbit
   std::vector<LevelReport> levels;
   LimitReport limit;
   std::optional<CertificateReport> certificate;

@@ -86,6 +86,7 @@ EntrySettings start_settings(const Start& start, int last_level) {
   settings.cage.thickness = start.thickness;
   settings.certified_faces.reset();
   settings.descends = false;
+  settings.shown_level.reset();
   settings.second_family.reset();
   return settings;
 }

@@ -90,7 +90,7 @@ const Json* CatalogFolder::start(const Start& start) const {
 bool CatalogFolder::has(const CatalogShape& shape, const CatalogFunctional& functional,
                         const EntrySettings& settings) const {
   const Json* stored = entry(shape, functional);
-  if (!stored || stored->at("settings") != json_of(settings)) return false;
+  if (!stored || stored->at("settings") != json_of(settings) || !stored->contains("second_opinion")) return false;
   const Result<std::string> report = minimizer(*stored);
   return report && parse_report(*report).ok();
 }

@@ -19,7 +19,7 @@ class CatalogFolder {
   const catalog::Json* entry(const catalog::CatalogShape& shape, const catalog::CatalogFunctional& functional) const;
   const catalog::Json* start(const catalog::Start& start) const;
 
-  /// Whether the entry and its file exist and were computed with these settings.
+  /// Whether the entry and its file exist, with a second opinion, and were computed with these settings.
   bool has(const catalog::CatalogShape& shape, const catalog::CatalogFunctional& functional,
            const catalog::EntrySettings& settings) const;
   bool has(const catalog::Start& start, const catalog::EntrySettings& settings) const;

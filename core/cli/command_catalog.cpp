@@ -13,6 +13,7 @@
 
 #include "base/threads.h"
 #include "cage/text.h"
+#include "catalog/comparison.h"
 #include "catalog/runner.h"
 #include "cli/arguments.h"
 #include "cli/catalog_folder.h"
@@ -20,6 +21,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "problem/text.h"
 
 namespace umbilic::cli {
 
@@ -66,11 +68,21 @@ class Session {
     if (!all && arguments_.check) return fail(kInterrupted, "interrupted before all was compared");
     if (!all) return kInterrupted;
     if (!arguments_.check) return kEnded;
-    if (!print(fmt::format("{} compared, {} differ\n", compared_, different_))) return kCannotWrite;
+    if (!print(summary())) return kCannotWrite;
     return different_ > 0 ? kMismatch : kEnded;
   }
 
  private:
+  std::string summary() const {
+    std::string text = fmt::format("{} compared, {} differ\n", compared_, different_);
+    if (other_kernels_ > 0) {
+      text +=
+          fmt::format("{} of these {} stored with the kernels of another instruction set: compared to error bars, {}\n",
+                      other_kernels_, other_kernels_ == 1 ? "was" : "were", "to 1e-3 where there are none");
+    }
+    return text;
+  }
+
   void add(const CatalogShape& shape, const CatalogFunctional& functional) {
     const EntrySettings settings = entry_settings(shape, functional, arguments_.last_level);
     if (!arguments_.check && !arguments_.anew && folder_.has(shape, functional, settings)) return;
@@ -94,11 +106,12 @@ class Session {
     const Json* stored = folder_.entry(entry.shape, entry.functional);
     const std::string name = entry_name(entry.shape, entry.functional);
     if (!stored) return compare(name, "it is not in the catalog");
-    std::string what = difference(*stored, json_of(entry));
-    if (what.empty()) {
-      const Result<std::string> minimizer = folder_.minimizer(*stored);
-      what = minimizer ? misfit(*stored, *minimizer) : minimizer.error().message;
-    }
+    const Result<std::string> minimizer = folder_.minimizer(*stored);
+    if (!minimizer) return compare(name, minimizer.error().message);
+    const Result<Report> report = parse_report(*minimizer);
+    if (!report) return compare(name, report.error().message);
+    std::string what = difference(*stored, json_of(entry), note_kernels(report->instruction_set));
+    if (what.empty()) what = misfit(*stored, *minimizer);
     compare(name, what);
   }
 
@@ -108,7 +121,15 @@ class Session {
     const Json* stored = folder_.start(result.start);
     const std::string name =
         fmt::format("{}.{} from thickness {}", result.start.shape, result.start.functional, result.start.thickness);
-    compare(name, stored ? start_difference(*stored, json_of(result)) : "it is not in the catalog");
+    if (!stored) return compare(name, "it is not in the catalog");
+    const Kernels kernels = note_kernels(stored->value("instruction_set", ""));
+    compare(name, start_difference(*stored, json_of(result), kernels));
+  }
+
+  Kernels note_kernels(const std::string& instruction_set) {
+    const Kernels kernels = kernels_of(instruction_set);
+    if (kernels == Kernels::kOther) ++other_kernels_;
+    return kernels;
   }
 
   void note(const std::optional<Error>& error) {
@@ -130,7 +151,7 @@ class Session {
   std::mutex mutex_;  // protects the members below, and `folder_` while tasks run
   std::atomic<bool> failed_ = false;
   std::string error_;
-  int compared_ = 0, different_ = 0;
+  int compared_ = 0, different_ = 0, other_kernels_ = 0;
 };
 
 int run(const CatalogArguments& arguments) {

@@ -36,11 +36,12 @@ const EnergyReport& BestEnergies::written(const Level& level, CapChoice cap) {
   return *written_;
 }
 
-const OpinionReport& BestEnergies::second_opinion(const Level& level, CapChoice cap) {
-  if (!opinion_) {
+const OpinionReport& BestEnergies::second_opinion(const Level& level, CapChoice cap, OpinionFaces faces) {
+  if (!opinion_ || opinion_faces_ != faces) {
     RefinedCage surface = level.surface().cage();
     surface.control = level.best();
-    opinion_ = umbilic::second_opinion(surface, cap, exact(level));
+    opinion_ = umbilic::second_opinion(surface, cap, exact(level), faces);
+    opinion_faces_ = faces;
   }
   return *opinion_;
 }

@@ -27,12 +27,14 @@ class BestEnergies {
   const EnergyReport& exact(const Level& level);
   /// Of the surface as it is written: that of `control_mesh`, whose coordinates are rounded to where the cage lies.
   const EnergyReport& written(const Level& level, CapChoice cap);
-  const OpinionReport& second_opinion(const Level& level, CapChoice cap);
+  /// Kept for the faces that it was asked for last.
+  const OpinionReport& second_opinion(const Level& level, CapChoice cap, OpinionFaces faces);
 
  private:
   std::optional<EnergyReport> exact_;
   std::optional<EnergyReport> written_;  // if that is another surface
   std::optional<OpinionReport> opinion_;
+  OpinionFaces opinion_faces_ = OpinionFaces::kAll;
 };
 
 }  // namespace umbilic

@@ -127,8 +127,8 @@ const std::vector<LevelReport>& Run::levels() const { return state_->levels; }
 const LevelReport& Run::result() const { return state_->levels[state_->result]; }
 const EnergyReport& Run::energies() const { return state_->energies.written(*state_->level, state_->options.caps()); }
 
-const OpinionReport& Run::second_opinion() const {
-  return state_->energies.second_opinion(*state_->level, state_->options.caps());
+const OpinionReport& Run::second_opinion(OpinionFaces faces) const {
+  return state_->energies.second_opinion(*state_->level, state_->options.caps(), faces);
 }
 
 GroupReport Run::group() const {

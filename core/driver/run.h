@@ -121,7 +121,7 @@ class Run {
 
   /// What another way of computing finds of the best surface so far; see driver/second_opinion.h. Costs far more than
   /// an evaluation; cached until the surface changes.
-  const OpinionReport& second_opinion() const;
+  const OpinionReport& second_opinion(OpinionFaces faces = OpinionFaces::kAll) const;
 
   /// The best surface so far, `density` >= 1 quads along each edge of a patch. Fails where the mesh would take more
   /// than kMostMeshBytes (driver/memory.h), and names the largest density that would not.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "mesh/boundary.h"
 #include "mesh/symmetry.h"
@@ -52,12 +53,25 @@ OpinionValues values_of(const opinion::Quantities& quantities, const Placement& 
   return values;
 }
 
+/// The first face of each orbit counts as often as the orbit has faces.
+std::vector<int> times_of(const Orbits& orbits) {
+  std::vector<int> times(orbits.of.size(), 0);
+  std::vector<bool> seen(orbits.sizes.size(), false);
+  for (std::size_t f = 0; f < times.size(); ++f) {
+    const int orbit = orbits.of[f];
+    if (!seen[orbit]) times[f] = orbits.sizes[orbit];
+    seen[orbit] = true;
+  }
+  return times;
+}
+
 }  // namespace
 
-OpinionReport second_opinion(const RefinedCage& cage, CapChoice cap, const EnergyReport& energies) {
+OpinionReport second_opinion(const RefinedCage& cage, CapChoice cap, const EnergyReport& energies, OpinionFaces faces) {
   const PatchLayout layout(cage.mesh, cap, face_orbits(cage.mesh, {}), cage.held);
   const Points points = layout.extend(cage.control);
   opinion::PlainSurface surface{cage.mesh, cage.control, form_of(cap)};
+  if (faces == OpinionFaces::kOnePerOrbit) surface.times = times_of(face_orbits(cage.mesh, cage.symmetry));
   for (const Cap& here : layout.caps()) surface.caps.push_back(plain(here, cage.mesh, points));
   const opinion::Integrals integrals = opinion::integrate(surface);
 

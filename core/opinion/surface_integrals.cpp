@@ -35,10 +35,10 @@ struct Sums {
   Quantities fine{}, coarse{};
   double samples = 0;
 
-  void add(const Sums& o) {
+  void add(const Sums& o, int times = 1) {
     for (std::size_t i = 0; i < fine.size(); ++i) {
-      fine[i] += o.fine[i];
-      coarse[i] += o.coarse[i];
+      fine[i] += times * o.fine[i];
+      coarse[i] += times * o.coarse[i];
     }
     samples += o.samples;
   }
@@ -257,7 +257,10 @@ Integrals Integrator::integrate() const {
       blocks, slots,
       [&](int block, int slot, int) {
         of_slot[slot] = {};
-        for (int f = kBlock * block; f < std::min(faces, kBlock * (block + 1)); ++f) of_slot[slot].add(of_face(f));
+        for (int f = kBlock * block; f < std::min(faces, kBlock * (block + 1)); ++f) {
+          const int times = surface_.times.empty() ? 1 : surface_.times[f];
+          if (times > 0) of_slot[slot].add(of_face(f), times);
+        }
       },
       [&](int, int slot) { total.add(of_slot[slot]); });
   Integrals result;

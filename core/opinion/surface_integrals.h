@@ -9,7 +9,8 @@
 /// caps         | rows of a linear map                          | X = S + b (Q - S) in truncated power series
 /// densities    | second fundamental form, covariant derivative | eigenvalues of the normal's derivative
 /// quadrature   | Gauss & Legendre, some graded levels          | Clenshaw & Curtis, graded until nothing is left
-/// symmetry     | one patch of each orbit                       | all faces
+/// symmetry     | one patch of each orbit                       | all faces, unless the caller says how often each
+/// counts
 ///
 /// What they share are the half-edges of the mesh, and what defines a surface: its control points (and where an open
 /// surface's ghosts begin), which vertices have which caps, and the coefficients of the caps' polynomials, which are a
@@ -43,6 +44,8 @@ struct PlainSurface {
   const Points& control;
   CapForm form = CapForm::kNone;
   std::vector<PlainCap> caps{};
+  std::vector<int> times{};  ///< how often each face counts, each once if empty: a face of a symmetric surface may
+                             ///< stand for all of its orbit, whose others count 0 times
 };
 
 struct Integrals {

@@ -133,6 +133,13 @@ struct OpinionValues {
   }
 };
 
+/// Which faces a second opinion goes over.
+enum class OpinionFaces {
+  kAll,          ///< whatever symmetry the surface has
+  kOnePerOrbit,  ///< one of each orbit of the surface's symmetry, which it believes: as many times faster as that has
+                 ///< elements
+};
+
 /// The same integrals of the same surface, computed in another way: see core/opinion/surface_integrals.h.
 struct OpinionReport {
   OpinionValues values;

@@ -238,6 +238,28 @@ describe('an entry', () => {
     await page.context().close();
   });
 
+  test('says what another way of computing finds, once the entry has that, in the details and in the studio', async () => {
+    const changed = catalog();
+    Object.assign(changed.entries[0], { second_opinion: { energy: 112.76718, difference: -3.4e-8 } });
+    const prepare = async (/** @type {Page} */ fresh) => {
+      await fresh.route('**/catalog.json', (route) => route.fulfill({ json: changed }));
+    };
+    const words = 'Computed another way: 112.767 (difference 3\u202f×\u202f10⁻⁸)';
+    const { page } = await openCatalog('?entry=two-3.bending', {}, prepare);
+    expect(await page.locator('#details .note').allInnerTexts()).toContain(`${words}.`);
+    await page.goto(`${served.url}?entry=two-4.bending`);
+    await page.locator('#details .note').first().waitFor();
+    expect((await page.locator('#details .note').allInnerTexts()).join()).not.toContain('another way');
+    await page.goto(`${served.url}studio.html?shape=two-3&functional=bending`);
+    await page.locator('#entry p.note').waitFor();
+    expect(await page.locator('#entry p.note').innerText()).toBe(words);
+    await page.screenshot({ path: path.join(screenshots, 'entry-opinion.png') });
+    await page.goto(`${served.url}studio.html?shape=two-4&functional=bending`);
+    await page.locator('#entry strong').waitFor();
+    expect(await page.locator('#entry p.note').isVisible()).toBe(false);
+    await page.context().close();
+  });
+
   test('whose details an address names has them open, and the step back closes them', async () => {
     const { page } = await openCatalog('?entry=torus.bending');
     await page.getByRole('dialog', { name: 'Torus' }).waitFor();

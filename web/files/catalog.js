@@ -34,6 +34,8 @@
  * @typedef {{energy: number, group: Group, level: number, faces: number, certificate: CertificateReport | null, minimizer: string}} LowerMinimizer
  */
 
+/** What another way of computing finds of the minimized energy of the surface that is shown, and what the main value has more, relatively. @typedef {{energy: number | null, difference: number | null}} SecondOpinion */
+
 /**
  * @typedef {object} CatalogEntry
  * @property {string} shape
@@ -48,6 +50,7 @@
  * @property {Group} group
  * @property {Required<Omit<Options, 'accuracy' | 'second_opinion'>>} settings
  * @property {EntryEnergies} energies energies of the last level's surface
+ * @property {SecondOpinion} [second_opinion] not of entries that an earlier version computed
  * @property {EntryLevel[]} levels
  * @property {{status: LimitStatus, energy: number | null, order: number | null, error: number | null, lower?: number | null}} limit
  * @property {CertificateReport | null} certificate

@@ -18,6 +18,7 @@ import { compact, integer, upperBound, withError } from './numbers.js';
  * @property {string} [exact_source]
  * @property {{name: string}} group
  * @property {Record<string, number>} [energies] of the minimizer on the last level, all functionals
+ * @property {{energy: number | null, difference: number | null}} [second_opinion]
  * @property {{level: number, negative: number} | null} certificate
  * @property {{energy: number, group: {name: string}, level: number, certificate: {negative: number} | null}} [below] what
  *   the minimizer descends to
@@ -322,6 +323,27 @@ function otherSums(catalog) {
   });
 }
 
+/**
+ * By how much the energies differ from those that were computed another way.
+ * @param {Catalog} catalog
+ * @returns {string[]} sentences
+ */
+function opinions({ entries }) {
+  const differences = entries
+    .filter(({ status }) => status !== 'zero_attained')
+    .flatMap(({ shape, functional, second_opinion: opinion }) =>
+      opinion && opinion.difference !== null ? [{ shape, functional, size: Math.abs(opinion.difference) }] : [],
+    )
+    .sort((a, b) => b.size - a.size);
+  if (!differences.length) return [];
+  const [largest] = differences;
+  const median = differences[Math.floor(differences.length / 2)].size;
+  const words = (/** @type {number} */ size) => size.toExponential(1);
+  return [
+    `Computed another way, the minimized energies of these ${differences.length} surfaces differ by ${words(largest.size)} of themselves at most (\`${largest.shape}\`, \`${largest.functional}\`), half of them by no more than ${words(median)}.`,
+  ];
+}
+
 /** All tables and sentences, in their order. @param {Catalog} catalog @returns {Array<Table | string>} */
 export function catalogTables(catalog) {
   return [
@@ -332,5 +354,6 @@ export function catalogTables(catalog) {
     ...claims(catalog),
     ...[preferences, families, starts, allEnergies, certificates].map((table) => table(catalog)),
     ...descents(catalog),
+    ...opinions(catalog),
   ];
 }

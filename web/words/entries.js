@@ -13,6 +13,8 @@ import { compact, counted, integer, significant, upperBound, withError } from '.
 const ERROR_DIGITS = 2;
 const INFIMUM_DIGITS = 6;
 const EXACT_DIGITS = 7;
+/** Of an energy that was computed another way. */
+const OPINION_DIGITS = 6;
 
 /** @param {string} words */
 export const capitalized = (words) => words[0].toUpperCase() + words.slice(1);
@@ -114,6 +116,13 @@ export function besideWords({ status, paper, exact }) {
   const computed = status === 'converged' || status === 'upper_bound';
   if (computed && exact !== null) words.push(`exact ${compact(exact, EXACT_DIGITS)}`);
   return words;
+}
+
+/** What a second opinion says of the surface that is shown. @param {CatalogEntry} entry @returns {string} empty if there is none */
+export function opinionWords({ second_opinion: opinion }) {
+  if (!opinion || opinion.energy === null || opinion.difference === null) return '';
+  const difference = compact(Math.abs(opinion.difference), 1);
+  return `Computed another way: ${compact(opinion.energy, OPINION_DIGITS)} (difference ${difference})`;
 }
 
 /**

@@ -10,6 +10,8 @@
 
 #include "base/each_instruction_set.h"
 #include "catalog/catalog_json.h"
+#include "catalog/comparison.h"
+#include "problem/text.h"
 
 namespace umbilic::catalog {
 namespace {
@@ -69,13 +71,13 @@ TEST(CatalogEntrySlow, tells_what_a_minimizer_with_directions_of_descent_descend
 
   const Json stored = json_of(frame);
   EXPECT_EQ(stored.at("below").at("energy"), frame.below->result.energy_reported);
-  EXPECT_EQ(difference(stored, stored), "");
+  EXPECT_EQ(difference(stored, stored, Kernels::kSame), "");
   Json other = stored;
   other.erase("below");
-  EXPECT_NE(difference(stored, other), "");
+  EXPECT_NE(difference(stored, other, Kernels::kSame), "");
   other = stored;
   other["below"]["energy"] = 1.001 * frame.below->result.energy_reported;
-  EXPECT_NE(difference(stored, other), "");
+  EXPECT_NE(difference(stored, other, Kernels::kSame), "");
   Json described{{"energies", part_json(frame.below->energies)}};
   EXPECT_EQ(misfit(described, *below_text(frame, "1.2.3")), "") << "the file holds this surface";
 }
@@ -103,7 +105,7 @@ TEST(CatalogEntrySlow, is_computed_to_the_same_digits_again_and_its_file_holds_i
     const Entry second = entry("two-3", functional, 1);
     EXPECT_EQ(json_of(second).dump(), stored.dump());
     EXPECT_EQ(minimizer_text(second, "1.2.3"), minimizer);
-    EXPECT_EQ(difference(stored, json_of(second)), "");
+    EXPECT_EQ(difference(stored, json_of(second), Kernels::kSame), "");
     EXPECT_EQ(misfit(Json::parse(stored.dump()), minimizer), "");
   }
 }
@@ -111,8 +113,9 @@ TEST(CatalogEntrySlow, is_computed_to_the_same_digits_again_and_its_file_holds_i
 TEST(CatalogEntrySlow, agrees_on_every_instruction_set_within_what_is_reproducible) {
   for (const char* functional : {"bending", "mvs", "mvs_cross", "bending_mvs_cross"}) {
     const Json stored = json_of(entry("two-3", functional, 1));
-    test::with_each_instruction_set(
-        [&](InstructionSet) { EXPECT_EQ(difference(stored, json_of(entry("two-3", functional, 1))), ""); });
+    test::with_each_instruction_set([&](InstructionSet) {
+      EXPECT_EQ(difference(stored, json_of(entry("two-3", functional, 1)), Kernels::kSame), "");
+    });
   }
 }
 
@@ -121,10 +124,11 @@ TEST(CatalogEntry, differs_from_one_that_is_off_by_more_than_rounding_explains) 
   const Json right = json_of(sphere);
   Json wrong = right;
   wrong["levels"][1]["energy_reported"] = 1.0001 * sphere.levels[1].energy_reported;
-  EXPECT_NE(difference(wrong, right).find("1.0e-04 off"), std::string::npos) << difference(wrong, right);
+  EXPECT_NE(difference(wrong, right, Kernels::kSame).find("1.0e-04 off"), std::string::npos)
+      << difference(wrong, right, Kernels::kSame);
   wrong = right;
   wrong["status"] = "none_found";
-  EXPECT_EQ(difference(wrong, right), "was none_found, is upper_bound");
+  EXPECT_EQ(difference(wrong, right, Kernels::kSame), "was none_found, is upper_bound");
 
   Json minimizer = Json::parse(minimizer_text(sphere, "1.2.3"));
   Json& points = minimizer["surface"]["points"];
@@ -134,6 +138,46 @@ TEST(CatalogEntry, differs_from_one_that_is_off_by_more_than_rounding_explains) 
   EXPECT_NE(misfit(right, minimizer.dump()).find("not three for each point"), std::string::npos);
   minimizer.erase("surface");
   EXPECT_EQ(misfit(right, minimizer.dump()), "it holds no surface");
+}
+
+/// The second opinion of an entry is about the surface whose energies it has.
+void expect_same_surface(const Entry& entry) {
+  const OpinionReport& opinion = entry.second_opinion;
+  EXPECT_NEAR(opinion.values.area, entry.energies.area, 1e-6 * entry.energies.area);
+  EXPECT_NEAR(opinion.values.gaussian, entry.energies.gaussian, 1e-4);
+  for (const int i : {kBending, kMehlumTarrou}) {
+    const double energy = entry.energies.functionals[i];
+    EXPECT_NEAR(opinion.values.functionals[i], energy, 1e-3 * energy);
+    EXPECT_DOUBLE_EQ(opinion.differences.functionals[i], energy - opinion.values.functionals[i]);
+  }
+}
+
+TEST(CatalogEntry, has_a_second_opinion_of_all_integrals_in_its_file_and_of_the_minimized_one_in_the_list) {
+  const Entry torus = entry("torus", "bending_mvs_cross", 1);
+  expect_same_surface(torus);
+  const Report report = *parse_report(minimizer_text(torus, "1.2.3"));
+  ASSERT_TRUE(report.second_opinion);
+  EXPECT_EQ(report.second_opinion->values.area, torus.second_opinion.values.area);
+  EXPECT_FALSE(report.problem.options.second_opinion) << "who goes on from the file has not asked for one";
+
+  const Json listed = json_of(torus).at("second_opinion");
+  const auto& values = torus.second_opinion.values.functionals;
+  EXPECT_DOUBLE_EQ(listed.at("energy"), values[kBending] + values[kMvsCross]);
+  EXPECT_NEAR(listed.at("difference"), torus.result.energy_reported / listed.at("energy").get<double>() - 1, 1e-14);
+  EXPECT_LT(std::abs(listed.at("difference").get<double>()), 1e-4);
+}
+
+TEST(CatalogEntry, has_the_second_opinion_of_the_level_that_it_shows) {
+  const CatalogShape& shape = shape_called("torus");
+  const CatalogFunctional& functional = functional_called("bending");
+  EntrySettings settings = entry_settings(shape, functional, 1);
+  settings.certified_faces.reset();
+  settings.shown_level = 0;
+  const Entry shown = *compute_entry(shape, functional, settings, [](const umbilic::Run&) { return true; });
+  ASSERT_EQ(shown.result.level, 0);
+  ASSERT_EQ(shown.levels.size(), 2u);
+  EXPECT_NEAR(shown.second_opinion.values.functionals[kBending], shown.levels[0].energy_reported, 1e-6);
+  EXPECT_GT(shown.levels[0].energy_reported - shown.levels[1].energy_reported, 1e-5);
 }
 
 TEST(CatalogEntry, ends_where_it_is_asked_to) {

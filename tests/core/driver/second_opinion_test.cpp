@@ -6,11 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "cage/generate.h"
 #include "driver/problem_run.h"
 #include "driver/run.h"
+#include "driver/surface.h"
 #include "problem/text.h"
 
 namespace umbilic {
@@ -70,6 +72,22 @@ TEST(SecondOpinionSlow, agrees_on_regular_surfaces_to_rounding) {
 TEST(SecondOpinion, agrees_on_open_surfaces) {
   expect_agreement(opinion_of("catenoid", CapKind::kSmooth, 0), 1e-9, 1e-6);
   expect_agreement(opinion_of("spherical-cap", CapKind::kSmooth, 0), 1e-6, 1e-2);
+}
+
+/// What one face of each orbit finds, counted as often as the orbit has faces, is what all find.
+TEST(SecondOpinion, of_one_face_of_each_orbit_is_that_of_all) {
+  const RefinedCage cage = *refine_to_evaluable(*generate_cage("cube"), 1, true);
+  ASSERT_EQ(cage.symmetry.order, 48);
+  const EnergyReport none;
+  const OpinionReport all = second_opinion(cage, CapKind::kSmooth, none);
+  const OpinionReport one = second_opinion(cage, CapKind::kSmooth, none, OpinionFaces::kOnePerOrbit);
+  for (const int i : {kBending, kWillmore, kMehlumTarrou, kSecondFormVariation}) {
+    EXPECT_NEAR(one.values.functionals[i], all.values.functionals[i], 1e-9 * all.values.functionals[i])
+        << kFunctionalNames[i];
+  }
+  EXPECT_NEAR(one.values.area, all.values.area, 1e-12 * all.values.area);
+  EXPECT_NEAR(one.values.gaussian, 4 * std::numbers::pi, 1e-9);
+  EXPECT_LT(10 * one.samples, all.samples);
 }
 
 /// The whole path from a problem to its report and back, for few faces, of which each takes long.

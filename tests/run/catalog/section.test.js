@@ -106,6 +106,18 @@ test("the catalog's README has the tables of its numbers: `npm run catalog -- re
   expect(read('README.md')).toContain(catalogSection(JSON.parse(read('catalog.json'))));
 });
 
+test('the largest difference of what was computed another way is in a sentence, once entries have that', () => {
+  const opinions = [1e-9, -3e-6, 2e-9, null, 5e-2];
+  const entries = opinions.map((difference, i) => {
+    const status = difference === 5e-2 ? 'zero_attained' : 'converged';
+    return entry('two-4', `f${i}`, 142, { status, second_opinion: { energy: 142, difference } });
+  });
+  const sentence =
+    'Computed another way, the minimized energies of these 3 surfaces differ by 3.0e-6 of themselves at most (`two-4`, `f1`), half of them by no more than 2.0e-9.';
+  expect(catalogSection({ ...catalog, entries: [...catalog.entries, ...entries] }).split('\n')).toContain(sentence);
+  expect(catalogSection(catalog)).not.toContain('Computed another way');
+});
+
 test('what a minimizer descends to stands beside the surface with two junctions', () => {
   const below = { energy: 141.5482128, group: { name: 'D2' }, level: 3, certificate: { level: 3, negative: 0 } };
   const more = { group: { name: 'Td' }, certificate: { level: 3, negative: 2 }, below };

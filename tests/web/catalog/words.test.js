@@ -10,6 +10,7 @@ import {
   commands,
   energyWords,
   junctionWords,
+  opinionWords,
   shapeTitle,
   typeset,
 } from '../../../web/words/entries.js';
@@ -57,6 +58,15 @@ describe('an energy', () => {
     expect(besideWords(catalog.entries[0])).toEqual(['paper 113', 'exact 112.7668']);
     expect(besideWords(entry('two-12', 'mvs', { paper: 75720 }))).toEqual(['paper 75\u202f720']);
     expect(besideWords(entry('torus', 'mvs', { status: 'zero_attained', energy: 0, exact: 0 }))).toEqual([]);
+  });
+
+  test('has what another way of computing finds beside it, where the entry tells', () => {
+    const of = (/** @type {number | null} */ energy, /** @type {number | null} */ difference) =>
+      opinionWords(entry('two-3', 'mvs_cross', { second_opinion: { energy, difference } }));
+    expect(of(3917.4032, -2.04e-9)).toBe('Computed another way: 3917.4 (difference 2\u202f×\u202f10⁻⁹)');
+    expect(of(112.7672, 0)).toBe('Computed another way: 112.767 (difference 0)');
+    expect(of(null, null)).toBe('');
+    expect(opinionWords(entry('two-3', 'bending'))).toBe('');
   });
 
   test.each([

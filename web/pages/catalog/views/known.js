@@ -6,7 +6,7 @@ import { entryName } from '../../../address/compare.js';
 import { catalogAddress } from '../../../files/catalog.js';
 import { element } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
-import { columnWords, junctionWords, typeset } from '../../../words/entries.js';
+import { columnWords, junctionWords, opinionWords, typeset } from '../../../words/entries.js';
 import { functionals } from '../../../words/functionals.js';
 import { compact, counted, integer, significant, upperBound, withError } from '../../../words/numbers.js';
 
@@ -97,7 +97,8 @@ function energyRow(name, formula, value, objective) {
 }
 
 /** The energies of an entry's surface under every functional. @param {CatalogEntry} entry @param {CatalogFunctional} functional @returns {HTMLElement[]} */
-export function energyTable({ energies }, functional) {
+export function energyTable(entry, functional) {
+  const { energies } = entry;
   const parts = Object.entries(functional.weights);
   const rows = functionals.flatMap(({ id, name, formula }) => {
     const energy = energies[id];
@@ -120,7 +121,12 @@ export function energyTable({ energies }, functional) {
   const table = element('table', { class: 'energies' }, element('tbody', {}, ...rows));
   const { quadrature_error } = energies;
   const error = quadrature_error === null ? '' : ` Quadrature error ${compact(quadrature_error, 2)}.`;
-  return [table, element('p', { class: 'note' }, `By a finer rule than the one that was minimized.${error}`)];
+  const opinion = opinionWords(entry);
+  return [
+    table,
+    element('p', { class: 'note' }, `By a finer rule than the one that was minimized.${error}`),
+    ...(opinion ? [element('p', { class: 'note' }, `${opinion}.`)] : []),
+  ];
 }
 
 /** @param {CatalogEntry} entry */

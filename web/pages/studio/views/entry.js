@@ -4,7 +4,7 @@
  */
 import { compareLink } from '../../../address/links.js';
 import { settingsAreFree } from '../state/reduce.js';
-import { besideWords, energyWords, statusWords, typeset } from '../../../words/entries.js';
+import { besideWords, energyWords, opinionWords, statusWords, typeset } from '../../../words/entries.js';
 import { element, find, onPress, setEnabled, whenChanged } from '../../../views/dom.js';
 
 /** @import {CatalogEntry} from '../../../files/catalog.js' */
@@ -18,11 +18,14 @@ export function createEntryView(root, dispatch) {
   const listening = new AbortController();
   const button = /** @type {HTMLButtonElement} */ (find(root, 'button'));
   const words = find(root, 'p');
+  const opinion = find(root, 'p.note');
   const compare = /** @type {HTMLAnchorElement} */ (find(root, 'a'));
   onPress(button, () => dispatch({ type: 'againPressed' }), listening.signal);
 
   const show = whenChanged((/** @type {CatalogEntry | null} */ entry) => {
     root.hidden = !entry;
+    opinion.textContent = entry ? opinionWords(entry) : '';
+    opinion.hidden = !opinion.textContent;
     if (!entry) return words.replaceChildren();
     words.title = typeset(entry.reason ?? '');
     const { value, error } = energyWords(entry);
