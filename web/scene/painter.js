@@ -41,8 +41,8 @@ export function createPainter(canvas, { slow, draw, resized, prepare = () => fal
     const moves = prepare();
     if (moves) canvas.dataset.picture = 'moving';
     paint();
-    // The browser's next frame comes after this, with the time of about one more.
-    if (moves) next = setTimeout(request, PICTURE / 2);
+    // The browser's next frame comes at most 1/60 s later.
+    if (moves) next = setTimeout(request, 0.6 * PICTURE);
     else refineSoon();
   }, drawn);
 
