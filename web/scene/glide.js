@@ -3,8 +3,8 @@
  * @file Moves the surface from what is on the screen to the newest mesh of the same topology, a part of the way in each
  * picture. Writes into the geometry's own arrays, so that the lines that share its positions move with it.
  *
- * In Chromium without graphics hardware, writing and uploading 25 000 vertices takes 1 to 2 ms of a picture of 50 ms;
- * mixing two sets of attributes in the vertex shader instead saves less than pictures differ.
+ * Writing 25 000 vertices takes less than 1 ms in Chromium, of a picture of 50 ms and more where there is no graphics hardware;
+ * what mixing two sets of attributes in the vertex shader would save there is less than by how much pictures differ.
  */
 
 /** @import {BufferGeometry} from 'three' */
