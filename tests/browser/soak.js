@@ -12,7 +12,7 @@ import { minimized, openPage, status } from './page.js';
 
 /**
  * In bytes, after garbage was collected. `heap` of JavaScript on the page, and `buffers` of its arrays; `module` of the worker's
- * WebAssembly module; `renderer` the private memory of the process of page and workers, where the system tells. `nodes` is the
+ * WebAssembly module; `renderer` the private memory of the process of page and workers, where the system tells and it is asked for. `nodes` is the
  * number of the document's nodes, `workers` that of the page's workers.
  * @typedef {{heap: number, buffers: number, module: number, renderer: number, nodes: number, workers: number}} Memory
  */
@@ -81,8 +81,8 @@ async function moduleMemory(page) {
   return Math.max(0, ...sizes);
 }
 
-/** @param {Page} page @returns {Promise<Memory>} */
-export async function measure(page) {
+/** @param {Page} page @param {boolean} [all] also that of the process, which takes 9 s @returns {Promise<Memory>} */
+export async function measure(page, all = true) {
   const [session, whole] = await Promise.all([
     page.context().newCDPSession(page),
     /** @type {Browser} */ (page.context().browser()).newBrowserCDPSession(),
@@ -97,7 +97,7 @@ export async function measure(page) {
     buffers: backingStorageSize,
     nodes,
     module: await moduleMemory(page),
-    renderer: await rendererMemory(page, whole),
+    renderer: all ? await rendererMemory(page, whole) : NaN,
     workers: page.workers().length,
   };
   await Promise.all([session.detach(), whole.detach()]);
@@ -144,11 +144,11 @@ export const cycles = {
  * @param {Browser} browser
  * @param {string} url of the site
  * @param {Cycle} cycle
- * @param {{first: number, last: number}} when it is measured, in cycles
+ * @param {{first: number, last: number, all?: boolean}} when it is measured, in cycles; `all` as of `measure`
  * @param {(cycle: number) => void} [told] called after each cycle
  * @returns {Promise<{first: Memory, last: Memory}>}
  */
-export async function soak(browser, url, cycle, { first, last }, told = () => {}) {
+export async function soak(browser, url, cycle, { first, last, all = true }, told = () => {}) {
   const { page, errors } = await openPage(browser, url, SMALL, async (fresh) => {
     /** @type {Promise<string> | undefined} */
     let script;
@@ -163,9 +163,9 @@ export async function soak(browser, url, cycle, { first, last }, told = () => {}
   for (let i = 1; i <= last; i++) {
     await cycle(page, i);
     told(i);
-    if (i === first) early = await measure(page);
+    if (i === first) early = await measure(page, all);
   }
-  const late = await measure(page);
+  const late = await measure(page, all);
   await page.context().close();
   if (errors.length) throw new Error(errors.join('\n'));
   return { first: early ?? late, last: late };

@@ -278,6 +278,7 @@ describe('the pace of frames', () => {
     for (let i = 0; i < 10; i++) pace.request();
     await sleep(100);
     expect(frames).toBe(1);
+    expect(pace.interval()).toBe(0);
     pace.request();
     await sleep(100);
     expect(frames).toBe(2);
@@ -308,6 +309,7 @@ describe('the pace of frames', () => {
     pace.request();
     await sleep(1000);
     const time = performance.now() - start;
+    expect(pace.interval()).toBeGreaterThanOrEqual(100);
     pace.dispose();
     expect(drawing).toBeGreaterThan(100);
     // One frame that has begun and has no pause behind it yet is allowed for.

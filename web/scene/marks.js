@@ -58,11 +58,12 @@ export function createMarks() {
     /** @param {Float32Array} segments 6 coordinates for each */
     setCrossings: (segments) => crossings.set(segments),
 
-    /** @param {Float32Array} positions 3 for each pin */
-    setPins(positions) {
-      for (const one of pins) one.visible = positions.length > 0;
-      pinGeometry.dispose();
-      pinGeometry.setAttribute('position', new BufferAttribute(positions, 3));
+    /** @param {BufferGeometry} surface @param {Uint32Array} vertices of it, from 0, one for each pin */
+    setPins(surface, vertices) {
+      for (const one of pins) one.visible = vertices.length > 0;
+      if (!vertices.length) return;
+      pinGeometry.setAttribute('position', surface.getAttribute('position'));
+      pinGeometry.setIndex(new BufferAttribute(vertices, 1));
     },
 
     /** @param {ColorRepresentation} line @param {ColorRepresentation} dot */

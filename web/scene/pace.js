@@ -12,7 +12,8 @@ const SLOW = 80;
 /**
  * @param {() => void} draw may request the next frame
  * @param {() => void} [drawn] called once the browser has finished the frame
- * @returns {{request: () => void, isSlow: () => boolean, dispose: () => void}}
+ * @returns {{request: () => void, isSlow: () => boolean, interval: () => number, dispose: () => void}} `interval`: the
+ *   shortest time between two frames that it allows, in milliseconds
  */
 export function createPace(draw, drawn = () => {}) {
   let frame = 0;
@@ -51,6 +52,7 @@ export function createPace(draw, drawn = () => {}) {
   return {
     request,
     isSlow: () => cost > SLOW,
+    interval: () => (cost > QUICK ? 2 * cost : 0),
     dispose() {
       cancelAnimationFrame(frame);
       clearTimeout(pause);

@@ -4,6 +4,7 @@
  * it draws again at full resolution after a rest.
  */
 import { NeutralToneMapping, WebGLRenderer } from 'three';
+import { PICTURE } from './glide.js';
 import { createPace } from './pace.js';
 
 /** More pixels per CSS pixel than this cost time without a visible gain. */
@@ -12,16 +13,17 @@ const MAX_PIXEL_RATIO = 2;
 const REFINE_AFTER = 350;
 
 /**
- * @param {HTMLCanvasElement} canvas fills its parent; its `data-picture` is `old`, `coarse` or `fine`
+ * @param {HTMLCanvasElement} canvas fills its parent; its `data-picture` is `old`, `moving`, `coarse` or `fine`
  * @param {object} options
  * @param {boolean} options.slow drawn without graphics hardware
  * @param {(renderer: WebGLRenderer) => void} options.draw draws a picture
  * @param {(width: number, height: number) => void} options.resized called with CSS pixels before the first picture of a
  *   new size
- * @param {() => void} [options.prepare] before each requested picture; may request the next one
+ * @param {() => boolean} [options.prepare] before each requested picture; may request the next one. Whether what is shown
+ *   moves: then the next one is drawn in time to show that
  * @param {() => void} [options.drawn] after each requested picture
  */
-export function createPainter(canvas, { slow, draw, resized, prepare = () => {}, drawn }) {
+export function createPainter(canvas, { slow, draw, resized, prepare = () => false, drawn }) {
   const renderer = new WebGLRenderer({ canvas, antialias: !slow, alpha: true, powerPreference: 'high-performance' });
   // Skips checks that would wait for the driver's report on each shader.
   renderer.debug.checkShaderErrors = false;
@@ -31,11 +33,17 @@ export function createPainter(canvas, { slow, draw, resized, prepare = () => {},
 
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let refining;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let next;
   const pace = createPace(() => {
     canvas.dataset.picture = slow ? 'coarse' : 'fine';
-    prepare();
+    clearTimeout(next);
+    const moves = prepare();
+    if (moves) canvas.dataset.picture = 'moving';
     paint();
-    refineSoon();
+    // The browser's next frame comes at most 1/60 s later.
+    if (moves) next = setTimeout(request, 0.6 * PICTURE);
+    else refineSoon();
   }, drawn);
 
   function refineSoon() {
@@ -81,8 +89,11 @@ export function createPainter(canvas, { slow, draw, resized, prepare = () => {},
     rehearse: () => draw(renderer),
     /** Whether pictures take too long to show a motion. */
     isSlow: () => slow || pace.isSlow(),
+    /** The shortest time between two pictures, in milliseconds. */
+    interval: pace.interval,
     dispose() {
       clearTimeout(refining);
+      clearTimeout(next);
       pace.dispose();
       observer.disconnect();
       canvas.removeEventListener('webglcontextrestored', request);

@@ -50,6 +50,7 @@ export function createPanes(canvas, { calm, slow, rested }) {
     prepare() {
       controls.enableDamping = !calm && !painter.isSlow();
       controls.update();
+      return false;
     },
     draw(renderer) {
       renderer.autoClear = false;

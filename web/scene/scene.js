@@ -4,6 +4,7 @@
  */
 import { BufferGeometry, Mesh, Plane, Scene } from 'three';
 import { extent, setComputed, setParts, setSurface } from './geometry.js';
+import { createGlide, timingOf } from './glide.js';
 import { addLights } from './lights.js';
 import { createEdited } from './edited.js';
 import { createHandle } from './handle.js';
@@ -18,6 +19,7 @@ import { createStand } from './stand.js';
 
 /** @import * as core from '../../wasm/types.js' */
 /** @import {Camera, Projection} from '../address/camera.js' */
+/** @import {Motion} from './glide.js' */
 /** @import {Shade} from './material.js' */
 /** @import {Cut} from './section_lines.js' */
 
@@ -27,7 +29,7 @@ const RAISE = 0.035;
 /**
  * @param {HTMLCanvasElement} canvas fills its parent
  * @param {object} options
- * @param {boolean} options.calm no inertia
+ * @param {boolean} options.calm no inertia, and no motion of the surface between two meshes
  * @param {boolean} options.slow drawn without graphics hardware
  * @param {(camera: Camera) => void} options.rested called when the user has moved the camera
  * @param {() => void} [options.drawn] called after each picture
@@ -50,6 +52,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
   const overlays = createOverlays(surfaceGeometry);
   const pointing = createPointing(surface, orbit.lens, () => (cutting ? section.plane : null));
   const stand = createStand();
+  const glide = createGlide(surfaceGeometry, stand.centre);
   const marks = createMarks();
   const section = createSectionLines();
   const edited = createEdited(canvas, orbit.lens);
@@ -89,6 +92,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       // With inertia, each update requests the next frame until the motion ends; with slow frames that would take long.
       controls.enableDamping = !calm && !painter.isSlow();
       controls.update();
+      return glide.advance(performance.now());
     },
     draw(renderer) {
       if (!surface.visible) return;
@@ -109,6 +113,8 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
   let held = null;
   /** For each pin its vertex of the cage, from 0, or -1 if it lies elsewhere. @type {number[]} */
   let pinned = [];
+  /** When the mesh on the screen was set, in milliseconds. */
+  let since = 0;
 
   rehearse();
 
@@ -119,7 +125,22 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
   /** Puts a dot at each pin of the surface. @param {core.Mesh} mesh */
   function placePins({ positions }) {
     const known = pinned.filter((vertex) => vertex >= 0 && 3 * vertex < positions.length);
-    marks.setPins(Float32Array.from(known.flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)])));
+    marks.setPins(surfaceGeometry, Uint32Array.from(known));
+  }
+
+  /** How the surface moves to the next mesh; null if that is to be shown at once. @param {core.Mesh} next @param {Motion | null} motion */
+  function motionTo(next, motion) {
+    const now = performance.now();
+    const passed = now - since;
+    if (next !== shown) since = now;
+    if (calm || !motion || next === shown || next.triangles !== shown?.triangles) return null;
+    const timing = timingOf(motion, passed, painter.interval());
+    return timing && { ...timing, now };
+  }
+
+  /** Ends the motion of the surface: what is shown is the newest mesh. */
+  function settle() {
+    if (glide.settle()) requestRender();
   }
 
   /** Draws triangles of zero size with the surface's materials, so that their shaders are compiled early. */
@@ -157,8 +178,13 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
      * @param {core.Mesh} mesh
      * @param {Float32Array | null} [computed] a value of each vertex that is no function of curvatures
      * @param {Pick<core.Mesh, 'centre' | 'positions'>} [like] the mesh that is placed in the picture, to which this one keeps its position and size
+     * @param {Motion | null} [motion] how it comes from the mesh before to this one, if that has the same topology; null: at once
      */
-    setSurface(mesh, computed = null, like = mesh) {
+    setSurface(mesh, computed = null, like = mesh, motion = null) {
+      const when = motionTo(mesh, motion);
+      // A surface that moved under the hand would take the handle along.
+      const stays = handle.isHeld();
+      if (when) glide.keep([0, 1, 2].map((axis) => (stays ? 0 : (shown?.centre[axis] ?? 0) - mesh.centre[axis])));
       marks.setRim(surfaceGeometry, setSurface(surfaceGeometry, mesh, held));
       setComputed(surfaceGeometry, computed);
       placePins(mesh);
@@ -166,13 +192,18 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
       pointing.set(mesh, computed);
       const { centre, radius } = extent(like.positions);
       const [x, y, z] = centre.map((value, axis) => value + like.centre[axis] - mesh.centre[axis]);
-      // A surface that moved under the hand would take the handle along.
-      if (!handle.isHeld()) stand.centre({ centre: [x, y, z], radius });
+      const next = stays ? null : { centre: /** @type {[number, number, number]} */ ([x, y, z]), radius };
+      const { positions, normals, curvatures } = mesh;
+      if (when) glide.begin({ position: positions, normal: normals, curvature: curvatures, computed }, next, when);
+      else glide.jump(next);
       overlays.move(mesh.centre);
       edited.move(mesh.centre);
       surface.visible = true;
       requestRender();
     },
+
+    /** Shows the newest mesh as it is, if the surface still moves there. */
+    settle,
 
     /** Which faces of the cage are held: 1 for each, or null if none is. @param {Uint8Array | null} next */
     setHeld(next) {
@@ -184,12 +215,14 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
 
     /** Which edges of the surface that was set last are marked, two vertices for each. @param {Uint32Array} edges */
     setMarked(edges) {
+      if (edges.length) settle();
       marks.setBoundary(surfaceGeometry, edges);
       requestRender();
     },
 
     /** The segments of the surface's crossings with itself, 6 coordinates each; null for none. @param {Float32Array | null} segments */
     setCrossings(segments) {
+      if (segments) settle();
       marks.setCrossings(segments ?? new Float32Array(0));
       requestRender();
     },
@@ -200,6 +233,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
      */
     setSection(cut) {
       if (!shown) return null;
+      if (cut) settle();
       const found = section.set(shown, cut);
       const cuts = cut?.cut ?? false;
       if (cuts !== cutting) for (const material of cuttable) material.clippingPlanes = cuts ? [front] : null;
@@ -269,6 +303,7 @@ export function createScene(canvas, { calm, slow, rested, drawn, dragged = () =>
      * @param {number} density quads along each edge of a patch
      */
     setLines({ control, original, patches }, density) {
+      if (control) settle();
       overlays.setControl(control);
       overlays.setOriginal(original);
       overlays.setPatches(patches ? shown : null, density);

@@ -22,11 +22,12 @@ import { listenToKeys } from '../../../views/keys.js';
 /** @import {Camera, Projection} from '../../../address/camera.js' */
 /** @import {Computed, Pattern, Quantity} from '../../../colour/quantities.js' */
 /** @import {Range} from '../../../colour/range.js' */
+/** @import {Motion} from '../../../scene/glide.js' */
 /** @import {Reading} from '../../../scene/reading.js' */
 /** @import {CutFound} from '../../../scene/section_lines.js' */
 /** @import {Constraints, Mesh} from '../../../../wasm/types.js' */
 /** @import {Section} from '../state/section.js' */
-/** @import {Action, CageFaces, Document, Editing, OpenCage, Pointer, State, Surface, TakenCage} from '../state/types.js' */
+/** @import {Action, CageFaces, Document, Editing, OpenCage, Pointer, Settings, State, Surface, TakenCage} from '../state/types.js' */
 
 /**
  * Whether a surface stays where its cage is because parts of it are held; others are shown in one place and size.
@@ -145,13 +146,23 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
     scene?.setHeld(held.some(Boolean) ? held : null);
     scene?.setPins((asked[0].pins ?? []).map(({ vertex }) => (vertex ?? 0) - 1));
   });
+  /** Those of the run; others than with the surface that was shown last if it was told to follow the hand since. @type {Settings | null} */
+  let runSettings = null;
+  /** @type {Settings | null} */
+  let shownSettings = null;
+  /** How the next surface comes after the one that is shown. @type {Motion | null} */
+  let motion = null;
   const setSurface = whenChanged(
     (
       /** @type {Mesh} */ mesh,
       /** @type {Float32Array | null} */ values,
       /** @type {Pick<Mesh, 'centre' | 'positions'>} */ like,
-    ) => scene?.setSurface(mesh, values, like),
+    ) => {
+      scene?.setSurface(mesh, values, like, motion);
+      shownSettings = runSettings;
+    },
   );
+  const settleAtRest = whenChanged((/** @type {boolean} */ runs) => runs || scene?.settle());
   const setHandle = whenChanged(
     (
       /** @type {number | null} */ index,
@@ -234,7 +245,12 @@ export function createSurfaceView(root, dispatch, pointed, found = () => {}) {
       computed = values && computedOf(view.shading);
       edited.update(state);
       const like = edited.frame ?? (staysInPlace(document) ? view.surface.limit : limit);
+      const runs = state.session.phase.name === 'running';
+      runSettings = document.result.settings;
+      motion = null;
+      if (runs && limit === view.surface.limit) motion = runSettings === shownSettings ? 'even' : 'prompt';
       setSurface(limit, values, like);
+      settleAtRest(runs);
       setHandle(view.pin, document, view.surface, editingOn(state));
       setMarked(view.boundary, document.cage, document.result.taken, limit);
       const crossings = view.crossings && limit === view.surface.limit ? view.surface.crossings : null;
