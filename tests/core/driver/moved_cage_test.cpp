@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "cage/generate.h"
+#include "driver/begun_run.h"
 #include "driver/equations.h"
 #include "driver/problem_run.h"
 #include "driver/run.h"
@@ -27,16 +28,6 @@ RunOptions up_to_level(int first, int last, double bending = 1, double mvs_cross
   options.last_level = last;
   options.tolerance = 1e-10;
   return options;
-}
-
-umbilic::Run begun(const Cage& cage, const RunOptions& options, const Constraints& constraints = {}) {
-  return *umbilic::Run::create(cage, options, constraints);
-}
-
-double ended(umbilic::Run& run) {
-  while (!run.step(1000)) {
-  }
-  return run.levels().back().energy;
 }
 
 Targets moved_to(const Points& points) {

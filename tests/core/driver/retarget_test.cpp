@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "cage/generate.h"
+#include "driver/begun_run.h"
 #include "driver/pin_rows.h"
 #include "driver/run.h"
 #include "driver/surface.h"
@@ -24,16 +25,6 @@ RunOptions up_to_level(int level, double bending, double mvs_cross = 0) {
   options.last_level = level;
   options.tolerance = 1e-9;
   return options;
-}
-
-umbilic::Run begun(const Cage& cage, const RunOptions& options, const Constraints& constraints = {}) {
-  return *umbilic::Run::create(cage, options, constraints);
-}
-
-double ended(umbilic::Run& run) {
-  while (!run.step(1000)) {
-  }
-  return run.levels().back().energy;
 }
 
 /// The first point of the torus and a place opposite are held, the first `up` above where the surface has it.
