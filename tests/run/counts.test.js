@@ -3,7 +3,7 @@
  * @file The counts of `npm test` match the reports of GoogleTest and Jest, and a run without tests never passes.
  */
 import { describe, expect, test } from '@jest/globals';
-import { countGoogleTests } from './cpp_tests.js';
+import { countGoogleTests, jobsOf } from './cpp_tests.js';
 import { countJestTests } from './jest_tests.js';
 import { expectSome, line, one, sum } from './tally.js';
 
@@ -36,6 +36,16 @@ test('GoogleTest: passed, failed, skipped by the test, left out by a filter or d
   ];
   const report = JSON.stringify({ testsuites: [{ testsuite: cases }, { testsuite: [cases[0]] }] });
   expect(countGoogleTests(report)).toEqual({ passed: 2, failed: 1, skipped: 2 });
+});
+
+test('programs that take long are dealt out to several runs, which begin first and have all shards', () => {
+  const jobs = jobsOf(['umbilic_test_base', 'umbilic_test_driver']);
+  expect(jobs.at(-1)).toEqual({ name: 'umbilic_test_base', shard: 0, shards: 1 });
+  const driver = jobs.slice(0, -1);
+  expect(driver.map(({ name, shard, shards }) => [name, shard, shards])).toEqual(
+    driver.map((_, shard) => ['umbilic_test_driver', shard, driver.length]),
+  );
+  expect(driver.length).toBeGreaterThan(1);
 });
 
 test('Jest: a file that does not run is a failure', () => {

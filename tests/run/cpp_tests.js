@@ -12,6 +12,20 @@ import { expectSome, line, sum } from './tally.js';
 
 const minutesForOneExecutable = 60;
 
+/** Programs whose tests are dealt out to several runs, because one would still go on when all others have ended. */
+const shardsOf = new Map([['umbilic_test_driver', 4]]);
+
+/** Some of the tests of a program: those of one of its shards. @typedef {{ name: string, shard: number, shards: number }} Job */
+
+/** @param {string[]} names of programs @returns {Job[]} those that take longest first */
+export function jobsOf(names) {
+  const jobs = names.flatMap((name) => {
+    const shards = shardsOf.get(name) ?? 1;
+    return Array.from({ length: shards }, (_, shard) => ({ name, shard, shards }));
+  });
+  return jobs.sort((a, b) => b.shards - a.shards);
+}
+
 /** @returns {string[]} the expected programs, one per folder of tests, with their names in tests/CMakeLists.txt */
 export function executables() {
   const core = path.join(root, 'tests/core');
@@ -39,11 +53,11 @@ function hasTests(folder) {
  * @returns {Promise<Tally>}
  */
 export async function runCppTests(part) {
-  const waiting = executables();
+  const waiting = jobsOf(executables());
   /** @type {Tally[]} */
   const tallies = [];
   const worker = async () => {
-    for (let name = waiting.shift(); name; name = waiting.shift()) tallies.push(await runExecutable(part, name));
+    for (let job = waiting.shift(); job; job = waiting.shift()) tallies.push(await runExecutable(part, job));
   };
   await Promise.all(Array.from({ length: availableParallelism() }, worker));
   return expectSome(sum(tallies));
@@ -51,16 +65,17 @@ export async function runCppTests(part) {
 
 /**
  * @param {TestedPart} part
- * @param {string} name
+ * @param {Job} job
  * @returns {Promise<Tally>}
  */
-async function runExecutable(part, name) {
+async function runExecutable(part, { name, shard, shards }) {
   const folder = path.join(root, 'build', part === 'sanitize' ? 'native' : part);
   const below = part === 'sanitize' ? 'sanitized' : '';
   const program = path.join(folder, 'tests', below, name);
-  const report = path.join(folder, 'reports', below, `${name}.json`);
+  const label = shards > 1 ? `${name} ${shard + 1}/${shards}` : name;
+  const report = path.join(folder, 'reports', below, `${label.replace(/\W/g, '_')}.json`);
   if (!existsSync(program)) {
-    console.log(`${name}: not built`);
+    console.log(`${label}: not built`);
     return { passed: 0, failed: 1, skipped: 0 };
   }
   mkdirSync(path.dirname(report), { recursive: true });
@@ -69,13 +84,17 @@ async function runExecutable(part, name) {
   if (part !== 'native') args.push('--gtest_filter=-*Slow*');
   const { code, text } = await capture(program, args, {
     minutes: minutesForOneExecutable,
-    environment: { UBSAN_OPTIONS: 'print_stacktrace=1' },
+    environment: {
+      UBSAN_OPTIONS: 'print_stacktrace=1',
+      GTEST_TOTAL_SHARDS: String(shards),
+      GTEST_SHARD_INDEX: String(shard),
+    },
   });
   const tally = existsSync(report)
     ? countGoogleTests(readFileSync(report, 'utf8'))
     : { passed: 0, failed: 0, skipped: 0 };
   if (code !== 0 && tally.failed === 0) tally.failed = 1; // It crashed, or a sanitizer ended it.
-  console.log(`${tally.failed ? text : ''}${name} (${part}): ${line(tally)}`);
+  console.log(`${tally.failed ? text : ''}${label} (${part}): ${line(tally)}`);
   return tally;
 }
 
