@@ -64,7 +64,8 @@ std::optional<std::string> misplaced_option(const CLI::App& command, const CageN
       {"--spread", has_the.spread},         {"--ratio", has_the.ratio},
       {"--segments", has_the.segments},     {"--radius", has_the.radius},
       {"--half-angle", has_the.half_angle}, {"--height", has_the.height},
-      {"--waist", has_the.waist},           {"--sides", has_the.sides}};
+      {"--waist", has_the.waist},           {"--sides", has_the.sides},
+      {"--rise", has_the.rise}};
   for (const auto& [option, has] : applies) {
     if (!has && command.count(option) > 0) return fmt::format("cage {} has no {}", cage.name, option);
   }
@@ -133,6 +134,7 @@ void add_cage_command(CLI::App& app, int& exit_code) {
           "N-sided: how many [5]")
       ->type_name("N")
       ->check(checked(parse_sides));
+  add_real("--rise", options.rise, "Z", "N-sided: height of the corners, to which a saddle is lifted [0, flat]");
   command->add_option("-o,--output", arguments->output, "Write to this file instead of standard output")
       ->type_name("OUT.obj");
   command->callback([arguments, command, &exit_code] { exit_code = run(*command, *arguments); });
