@@ -59,13 +59,17 @@ Result<FrameFamily> family_called(const std::string& name) {
 /// An option that the cage does not have, which would silently be ignored.
 std::optional<std::string> misplaced_option(const CLI::App& command, const CageName& cage) {
   const CageParameters has_the = parameters_of(cage.kind);
-  const std::initializer_list<std::pair<const char*, bool>> applies{
-      {"--family", has_the.family},         {"--thickness", has_the.thickness},
-      {"--spread", has_the.spread},         {"--ratio", has_the.ratio},
-      {"--segments", has_the.segments},     {"--radius", has_the.radius},
-      {"--half-angle", has_the.half_angle}, {"--height", has_the.height},
-      {"--waist", has_the.waist},           {"--sides", has_the.sides},
-      {"--rise", has_the.rise}};
+  const std::initializer_list<std::pair<const char*, bool>> applies{{"--family", has_the.family},
+                                                                    {"--thickness", has_the.thickness},
+                                                                    {"--spread", has_the.spread},
+                                                                    {"--ratio", has_the.ratio},
+                                                                    {"--segments", has_the.segments},
+                                                                    {"--radius", has_the.radius},
+                                                                    {"--half-angle", has_the.half_angle},
+                                                                    {"--height", has_the.height},
+                                                                    {"--waist", has_the.waist},
+                                                                    {"--sides", has_the.sides},
+                                                                    {"--rise", has_the.rise}};
   for (const auto& [option, has] : applies) {
     if (!has && command.count(option) > 0) return fmt::format("cage {} has no {}", cage.name, option);
   }
