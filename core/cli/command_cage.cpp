@@ -79,13 +79,11 @@ std::optional<std::string> misplaced_option(const CLI::App& command, const CageN
 int run(const CLI::App& command, const CageArguments& arguments) {
   if (arguments.list) return print(list_of_cages()) ? kEnded : kCannotWrite;
   if (arguments.name.empty()) return fail(kBadUsage, "cage needs a NAME, or --list");
-  auto cage = generate_cage(arguments.name, arguments.options);
+  const auto cage = generate_cage(arguments.name, arguments.options);
   if (!cage) return fail(kBadUsage, cage.error().message);
   const auto known = std::find_if(cage_names().begin(), cage_names().end(),
                                   [&](const CageName& candidate) { return candidate.name == arguments.name; });
   if (const auto problem = misplaced_option(command, *known)) return fail(kBadUsage, *problem);
-  // OBJ has no word for holes.
-  if (!cage->holes.empty()) cage->groups.push_back({"hole", cage->holes});
   if (const auto error = write_file(arguments.output, write_obj(*cage))) return fail(kCannotWrite, error->message);
   return kEnded;
 }
