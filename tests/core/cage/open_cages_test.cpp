@@ -297,7 +297,8 @@ TEST(OpenCages, of_n_sides_are_flat_without_a_rise_and_with_it_lie_above_the_sam
   for (int sides = 3; sides <= 12; ++sides) {
     const Points flat = generate_cage("n-sided", {.sides = sides})->vertices;
     EXPECT_TRUE((flat.col(2).array() == 0).all());
-    EXPECT_FALSE(flat.col(2).array().unaryExpr([](double z) { return std::signbit(z); }).any()) << "would be written -0";
+    EXPECT_FALSE(flat.col(2).array().unaryExpr([](double z) { return std::signbit(z); }).any())
+        << "would be written -0";
     const Points saddle = generate_cage("n-sided", {.sides = sides, .rise = -0.5})->vertices;
     EXPECT_EQ(saddle.leftCols(2), flat.leftCols(2));
   }

@@ -27,7 +27,8 @@ export function groupOf({ entries }) {
 function passes(row, { genus, arms, group, status, search }) {
   const { shape, entries } = row;
   const open = shape.sides ? `open ${boundaryWords(shape)}` : '';
-  const text = `${shape.name} ${shapeTitle(shape.name)} ${groupOf(row)?.name} genus ${shape.genus} ${open}`.toLowerCase();
+  const text =
+    `${shape.name} ${shapeTitle(shape.name)} ${groupOf(row)?.name} genus ${shape.genus} ${open}`.toLowerCase();
   return (
     (genus === null || shape.genus === genus) &&
     (arms === null || shape.arms === arms) &&
