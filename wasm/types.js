@@ -22,7 +22,14 @@
  * @property {number} [thickness] of the arms or the tube, relative to the default
  * @property {number} [spread] for frames with two junctions: distance of the arms from the axis
  * @property {number} [ratio] for the torus: minor radius / major radius
- * @property {[number, number]} [segments] for the torus: number around the axis and around the tube
+ * @property {[number, number]} [segments] for the torus: number around the axis and around the tube; for open cages: around
+ *   the boundary (n-sided: along a side) and across
+ * @property {number} [radius] for disk, cylinder, spherical-cap and n-sided
+ * @property {number} [half_angle] for spherical-cap: degrees from the pole to the boundary
+ * @property {number} [height] for cylinder and catenoid
+ * @property {number} [waist] for catenoid: the smallest radius
+ * @property {number} [sides] for n-sided
+ * @property {number} [rise] for n-sided: the height of the corners of a saddle; flat if 0
  */
 
 /** The text of an OBJ, OFF or PLY file, or its bytes. @typedef {{name?: string, text: string | Uint8Array}} CageText */

@@ -43,7 +43,7 @@ std::vector<CageName> make_names() {
   add_open("cylinder", "a cylinder of revolution between two circles", CageKind::kCylinder);
   add_open("catenoid", "a catenoid between two circles", CageKind::kCatenoid);
   add_open("spherical-cap", "a part of a sphere around its pole", CageKind::kSphericalCap);
-  add_open("n-sided", "a flat regular polygon", CageKind::kNSided);
+  add_open("n-sided", "a regular polygon, flat or with a saddle over it", CageKind::kNSided);
   return names;
 }
 
@@ -134,7 +134,8 @@ CageParameters parameters_of(CageKind kind) {
           .half_angle = cap,
           .height = cylinder || chain,
           .waist = chain,
-          .sides = polygon};
+          .sides = polygon,
+          .rise = polygon};
 }
 
 CageParameters parameters_of(std::string_view name) {

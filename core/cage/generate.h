@@ -48,6 +48,7 @@ struct CageOptions {
   double height = 2;       ///< cylinder, catenoid: from boundary to boundary, 0.01 to 100; catenoid: at most 10 waists
   double waist = 1;        ///< catenoid: its smallest radius, 0.01 to 100
   int sides = 5;           ///< n-sided: 3 to 12
+  double rise = 0;         ///< n-sided: height of the corners, -100 to 100; the polygon is flat if 0
 };
 
 enum class CageKind { kCube, kTorus, kTwoJunctions, kPolyhedron, kDisk, kCylinder, kCatenoid, kSphericalCap, kNSided };
@@ -75,6 +76,7 @@ struct CageParameters {
   bool height = true;
   bool waist = true;
   bool sides = true;
+  bool rise = true;
 };
 
 CageParameters parameters_of(CageKind kind);

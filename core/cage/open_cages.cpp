@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -198,6 +199,13 @@ Cage disk_like(const std::function<Profile(double)>& profile, const Meridian& me
 /// The width of a ring of a disk, of which the whole meridian takes 1.
 double ring_width(const CageOptions& options) { return 1 / (options.minor_segments + options.major_segments / 8.); }
 
+void lift_to_saddle(Cage& cage, const CageOptions& options) {
+  for (auto point : cage.vertices.rowwise()) {
+    const std::complex<double> at(point.x() / options.radius, point.y() / options.radius);
+    point.z() = options.rise * std::pow(at, options.sides).real();
+  }
+}
+
 constexpr double kSmallest = 0.01;
 constexpr double kLargest = 100;
 constexpr int kMostRings = 200;
@@ -273,7 +281,8 @@ Result<Cage> spherical_cap(const CageOptions& options) {
 Result<Cage> n_sided_polygon(const CageOptions& options) {
   const int sides = options.sides, along = options.major_segments;
   constexpr int kMostAlong = 100;
-  if (auto error = first_of(check("radius", options.radius, kSmallest, kLargest), check("sides", sides, 3, 12))) {
+  if (auto error = first_of(check("radius", options.radius, kSmallest, kLargest), check("sides", sides, 3, 12),
+                            check("rise", options.rise, -kLargest, kLargest))) {
     return *error;
   }
   if (along < 2 || along > kMostAlong || along % 2 != 0) {
@@ -331,6 +340,7 @@ Result<Cage> n_sided_polygon(const CageOptions& options) {
   for (std::size_t v = 0; v < points.size(); ++v) cage.vertices.row(static_cast<Eigen::Index>(v)) = points[v];
   for (const std::array<int, 4>& quad : patch.quads) cage.faces.emplace_back(quad.begin(), quad.end());
   mark_last(cage, static_cast<int>(patch.quads.size() - surface));
+  if (options.rise != 0) lift_to_saddle(cage, options);
   return cage;
 }
 

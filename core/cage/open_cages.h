@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Generated cages with boundaries: the surfaces of revolution and the polygon for which closed forms are known.
+/// Generated cages with boundaries: the surfaces of revolution and the polygon for which closed forms are known, and
+/// saddles over the polygon.
 ///
 /// The cages come with a ring of holes beyond each boundary, which are their last faces, so that every face of the
 /// surface has all its neighbours. With the points G beyond the boundary, P on it and Q within, in a row across it,
@@ -31,7 +32,9 @@ Result<Cage> flat_disk(const CageOptions& options);
 /// The part of the sphere about the origin within the half-angle of the z axis, with the quads of a disk.
 Result<Cage> spherical_cap(const CageOptions& options);
 
-/// The regular polygon of N sides in the plane z = 0 with a corner on the x axis: N grids around its middle.
+/// The regular polygon of N sides in the plane z = 0 with a corner on the x axis: N grids around its middle. With a
+/// rise all its control points are lifted to the harmonic saddle z = rise Re ((x + i y) / radius)^N, which has the
+/// height `rise` at the corners (N = 3: the monkey saddle); the symmetry is still that of the polygon, C_Nv.
 Result<Cage> n_sided_polygon(const CageOptions& options);
 
 /// The options with the segments of such a cage where they are 0.

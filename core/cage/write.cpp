@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <iterator>
 
@@ -52,9 +53,10 @@ bool write_rows(Pieces& out, const char* keyword, const Points& rows) {
 /// before.
 class GroupChanges {
  public:
-  explicit GroupChanges(const Cage& cage) : cage_(cage), groups_of_face_(cage.groups.empty() ? 0 : cage.faces.size()) {
-    for (std::size_t g = 0; g < cage.groups.size(); ++g) {
-      for (const int face : cage.groups[g].faces) groups_of_face_[face].push_back(static_cast<int>(g));
+  explicit GroupChanges(const Cage& cage)
+      : groups_(groups_and_holes(cage)), groups_of_face_(groups_.empty() ? 0 : cage.faces.size()) {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      for (const int face : groups_[g].faces) groups_of_face_[face].push_back(static_cast<int>(g));
     }
   }
 
@@ -65,13 +67,22 @@ class GroupChanges {
     const std::vector<int>& last = face > 0 ? groups_of_face_[face - 1] : none;
     if (groups_of_face_[face] == last) return "";
     std::string statement = "g";
-    for (const int group : groups_of_face_[face]) statement.append(" ").append(cage_.groups[group].name);
+    for (const int group : groups_of_face_[face]) statement.append(" ").append(groups_[group].name);
     // A backslash at the end would join the next line.
     return statement.append(statement.back() == '\\' ? " \n" : "\n");
   }
 
  private:
-  const Cage& cage_;
+  /// The cage's groups, and its holes unless they are one of these.
+  static std::vector<FaceGroup> groups_and_holes(const Cage& cage) {
+    std::vector<FaceGroup> groups = cage.groups;
+    const bool named =
+        std::any_of(groups.begin(), groups.end(), [&](const FaceGroup& group) { return group.faces == cage.holes; });
+    if (!cage.holes.empty() && !named) groups.push_back({std::string(kHoleGroup), cage.holes});
+    return groups;
+  }
+
+  std::vector<FaceGroup> groups_;
   std::vector<std::vector<int>> groups_of_face_;  // empty if there are no groups
 };
 

@@ -13,7 +13,11 @@
 
 namespace umbilic {
 
-/// With the cage's groups. What is written reads back to the same cage.
+/// The group that has a cage's holes, for which OBJ has no word.
+inline constexpr std::string_view kHoleGroup = "hole";
+
+/// With the cage's groups, and its holes as the group kHoleGroup. What is written reads back to the same cage, whose
+/// holes are again faces until it is said that they are holes.
 std::string write_obj(const Cage& cage);
 
 /// Takes the next piece of a text; false if it could not, and then gets no more.

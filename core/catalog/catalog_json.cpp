@@ -138,6 +138,7 @@ Report report_on(const Entry& entry, std::string_view version) {
   report.instruction_set = name_of(instruction_set());
   report.problem.cage = GeneratedCage{entry.shape.generator, entry.settings.cage};
   report.problem.options = entry.settings.run;
+  report.problem.constraints = entry.settings.constraints;
   report.cage = cage_of(report.problem.cage).value().report;
   return report;
 }
@@ -150,6 +151,7 @@ std::string minimizer_text(const Entry& entry, std::string_view version) {
   report.limit = entry.limit;
   report.energies = entry.energies;
   report.second_opinion = entry.second_opinion;
+  report.constraints = entry.constraints;
   report.certificate = entry.certificate;
   report.surface = SurfaceState{entry.result.level, entry.orbit_points};
   return report_text(report, JsonPrinter::Layout::kCompact);
@@ -173,11 +175,11 @@ Json empty_catalog(std::string_view version) {
     functionals.push_back({{"name", f.name}, {"weights", part_json(f.weights)}});
   }
   for (const CatalogShape& s : catalog_shapes()) {
-    shapes.push_back({{"name", s.name},
-                      {"genus", s.genus},
-                      {"junctions", s.junctions},
-                      {"arms", s.arms},
-                      {"cage", part_json(GeneratedCage{s.generator, {}})}});
+    Json shape{{"name", s.name}, {"genus", s.genus}, {"junctions", s.junctions}, {"arms", s.arms}};
+    if (s.hole()) shape["sides"] = s.sides;
+    shape["cage"] = part_json(GeneratedCage{s.generator, cage_options(s)});
+    if (s.hole()) shape["constraints"] = part_json(constraints_of(s));
+    shapes.push_back(std::move(shape));
   }
   return {{"version", std::string(version)},
           {"functionals", functionals},

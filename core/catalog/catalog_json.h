@@ -3,12 +3,13 @@
 /// The catalog's files: catalog.json with every number, and one file per minimizer with its points.
 ///
 /// catalog.json: {"version", "functionals": [{"name", "weights"}], "shapes": [{"name", "genus", "junctions", "arms",
-/// "cage"}], "entries": […], "starts": […]}, in which parts of reports have their usual names. A minimizer's file,
-/// <shape>.<functional>.json, is the report of its run, see problem/text.h; what it descends to is in
-/// <shape>.<functional>.below.json. A minimizer's file has its second opinion (driver/second_opinion.h), of all
-/// integrals; the entry's "second_opinion" is {"energy", "difference"}: the minimized functional as that finds it, and
-/// the main energy of the same surface minus this, relatively. Entries and starts that an earlier version wrote lack
-/// what came later. Numbers have all their digits, and there are no times.
+/// "cage"}], "entries": […], "starts": […]}, in which parts of reports have their usual names. Holes have "sides" and
+/// the "constraints" that their minimizers keep, too; their "energy" has the constant area of the cage's own surface as
+/// its factor, like "free" in "energies". A minimizer's file, <shape>.<functional>.json, is the report of its run, see
+/// problem/text.h; what it descends to is in <shape>.<functional>.below.json. A minimizer's file has its second opinion
+/// (driver/second_opinion.h), of all integrals; the entry's "second_opinion" is {"energy", "difference"}: the minimized
+/// functional as that finds it, and the main energy of the same surface minus this, relatively. Entries and starts that
+/// an earlier version wrote lack what came later. Numbers have all their digits, and there are no times.
 #pragma once
 
 #include <optional>

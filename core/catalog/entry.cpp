@@ -62,17 +62,19 @@ class Computation {
   struct Shown {
     EnergyReport energies;
     OpinionReport second_opinion;
+    std::optional<ConstraintsReport> constraints;
     Points orbit_points;
   };
 
   /// The run's best.
   Shown surface() const {
-    return {run_.energies(), run_.second_opinion(OpinionFaces::kOnePerOrbit), run_.orbit_points()};
+    return {run_.energies(), run_.second_opinion(OpinionFaces::kOnePerOrbit), run_.constraints(), run_.orbit_points()};
   }
 
   static void fill(Entry& entry, const Shown& shown) {
     entry.energies = shown.energies;
     entry.second_opinion = shown.second_opinion;
+    entry.constraints = shown.constraints;
     entry.orbit_points = shown.orbit_points;
   }
 
@@ -116,7 +118,7 @@ class Computation {
 Result<Run> create_run(const CatalogShape& shape, const EntrySettings& settings, const CageOptions& options) {
   const Result<Cage> cage = generate_cage(shape.generator, options);
   if (!cage) return cage.error();
-  return Run::create(*cage, settings.run);
+  return Run::create(*cage, settings.run, settings.constraints);
 }
 
 std::string reason_of(const LimitReport& limit, const std::vector<LevelReport>& levels) {

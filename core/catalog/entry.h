@@ -47,6 +47,7 @@ struct Entry {
   OpinionReport second_opinion;  ///< of that surface, from one face of each orbit
   std::vector<LevelReport> levels;
   LimitReport limit;
+  std::optional<ConstraintsReport> constraints;  ///< what the boundary of that surface is held with
   std::optional<CertificateReport> certificate;
   std::optional<LowerMinimizer> below;  ///< what it descends to, where EntrySettings::descends
   std::optional<SecondFamily> second;

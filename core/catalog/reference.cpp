@@ -48,6 +48,7 @@ std::optional<ExactEnergy> lawson_bending(int genus) {
 }
 
 std::optional<ExactEnergy> exact_energy(const CatalogShape& shape, const CatalogFunctional& functional) {
+  if (shape.hole()) return std::nullopt;
   if (shape.genus == 0) return sphere_energy(functional.weights);
   if (shape.genus == 1) return torus_energy(functional);
   if (functional.name == "bending" && shape.junctions == 2) return lawson_bending(shape.genus);

@@ -25,6 +25,10 @@ constexpr std::array<PaperRow, 7> kTableOne{{{"two-3", 113, 343, 2408},
 
 CatalogFunctional named(std::string_view name) { return {std::string(name), weights_of(name).value()}; }
 
+CatalogShape hole(int sides) {
+  return {.name = "hole-" + std::to_string(sides), .generator = "n-sided", .sides = sides};
+}
+
 }  // namespace
 
 const std::vector<CatalogShape>& catalog_shapes() {
@@ -47,6 +51,12 @@ const std::vector<CatalogShape>& catalog_shapes() {
       {"icosahedron-frame", "icosahedron-frame", 19, 12, 5},
       {"torus", "torus", 1, 0, 0},
       {"sphere", "cube", 0, 0, 0},
+      hole(3),
+      hole(4),
+      hole(5),
+      hole(6),
+      hole(7),
+      hole(8),
   };
   return shapes;
 }
@@ -61,6 +71,19 @@ const std::vector<CatalogFunctional>& catalog_functionals() {
       {"bending_mvs_cross", parse_weights("bending=1,mvs_cross=1").value()},
   };
   return functionals;
+}
+
+bool has_entry(const CatalogShape& shape, const CatalogFunctional& functional) {
+  return !shape.hole() || functional.name == "mvs_cross";
+}
+
+CageOptions cage_options(const CatalogShape& shape) {
+  return shape.hole() ? CageOptions{.sides = shape.sides, .rise = kHoleRise} : CageOptions{};
+}
+
+Constraints constraints_of(const CatalogShape& shape) {
+  if (!shape.hole()) return {};
+  return {.boundary = BoundaryConditions{.condition = BoundaryCondition::kCurvature}};
 }
 
 std::optional<double> paper_energy(const CatalogShape& shape, const CatalogFunctional& functional) {

@@ -59,12 +59,17 @@ Result<FrameFamily> family_called(const std::string& name) {
 /// An option that the cage does not have, which would silently be ignored.
 std::optional<std::string> misplaced_option(const CLI::App& command, const CageName& cage) {
   const CageParameters has_the = parameters_of(cage.kind);
-  const std::initializer_list<std::pair<const char*, bool>> applies{
-      {"--family", has_the.family},         {"--thickness", has_the.thickness},
-      {"--spread", has_the.spread},         {"--ratio", has_the.ratio},
-      {"--segments", has_the.segments},     {"--radius", has_the.radius},
-      {"--half-angle", has_the.half_angle}, {"--height", has_the.height},
-      {"--waist", has_the.waist},           {"--sides", has_the.sides}};
+  const std::initializer_list<std::pair<const char*, bool>> applies{{"--family", has_the.family},
+                                                                    {"--thickness", has_the.thickness},
+                                                                    {"--spread", has_the.spread},
+                                                                    {"--ratio", has_the.ratio},
+                                                                    {"--segments", has_the.segments},
+                                                                    {"--radius", has_the.radius},
+                                                                    {"--half-angle", has_the.half_angle},
+                                                                    {"--height", has_the.height},
+                                                                    {"--waist", has_the.waist},
+                                                                    {"--sides", has_the.sides},
+                                                                    {"--rise", has_the.rise}};
   for (const auto& [option, has] : applies) {
     if (!has && command.count(option) > 0) return fmt::format("cage {} has no {}", cage.name, option);
   }
@@ -74,13 +79,11 @@ std::optional<std::string> misplaced_option(const CLI::App& command, const CageN
 int run(const CLI::App& command, const CageArguments& arguments) {
   if (arguments.list) return print(list_of_cages()) ? kEnded : kCannotWrite;
   if (arguments.name.empty()) return fail(kBadUsage, "cage needs a NAME, or --list");
-  auto cage = generate_cage(arguments.name, arguments.options);
+  const auto cage = generate_cage(arguments.name, arguments.options);
   if (!cage) return fail(kBadUsage, cage.error().message);
   const auto known = std::find_if(cage_names().begin(), cage_names().end(),
                                   [&](const CageName& candidate) { return candidate.name == arguments.name; });
   if (const auto problem = misplaced_option(command, *known)) return fail(kBadUsage, *problem);
-  // OBJ has no word for holes.
-  if (!cage->holes.empty()) cage->groups.push_back({"hole", cage->holes});
   if (const auto error = write_file(arguments.output, write_obj(*cage))) return fail(kCannotWrite, error->message);
   return kEnded;
 }
@@ -133,6 +136,7 @@ void add_cage_command(CLI::App& app, int& exit_code) {
           "N-sided: how many [5]")
       ->type_name("N")
       ->check(checked(parse_sides));
+  add_real("--rise", options.rise, "Z", "N-sided: height of the corners, to which a saddle is lifted [0, flat]");
   command->add_option("-o,--output", arguments->output, "Write to this file instead of standard output")
       ->type_name("OUT.obj");
   command->callback([arguments, command, &exit_code] { exit_code = run(*command, *arguments); });

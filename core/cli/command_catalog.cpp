@@ -52,7 +52,7 @@ class Session {
   int run() {
     for (const CatalogShape& shape : catalog_shapes()) {
       for (const CatalogFunctional& functional : catalog_functionals()) {
-        if (arguments_.wants(shape.name, functional.name)) add(shape, functional);
+        if (has_entry(shape, functional) && arguments_.wants(shape.name, functional.name)) add(shape, functional);
       }
     }
     for (const Start& start : catalog_starts()) {

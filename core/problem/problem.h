@@ -49,6 +49,7 @@ struct GeneratedCage {
     if (has.height) visit("height", self.options.height, "Of cylinder and catenoid: from boundary to boundary");
     if (has.waist) visit("waist", self.options.waist, "Of catenoid: the smallest radius");
     if (has.sides) visit("sides", self.options.sides, "Of n-sided: how many");
+    if (has.rise) visit("rise", self.options.rise, "Of n-sided: height of the corners of a saddle; flat if 0");
   }
 
  private:

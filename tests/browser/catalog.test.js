@@ -28,8 +28,8 @@ const rows = (page) =>
   page.locator('#table tbody tr').evaluateAll((all) => all.map((row) => row.getAttribute('data-shape')));
 /** @param {Page} page */
 const search = (page) => page.evaluate(() => location.search);
-/** The genus column. @param {Page} page */
-const genera = async (page) => (await page.locator('td.genus').allInnerTexts()).map(Number);
+/** The genus column, which says of holes that they are open. @param {Page} page */
+const genera = async (page) => (await page.locator('td.genus').allInnerTexts()).map((text) => parseInt(text, 10));
 /** The cell of an entry. @param {Page} page @param {string} shape @param {string} functional */
 function cell(page, shape, functional) {
   const column = catalog().functionals.findIndex(({ name }) => name === functional);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
  * @file `npm run pictures`: makes the README's pictures and the catalog's thumbnails by drawing with the page itself.
- * `npm run pictures -- readme` or `-- catalog` makes only those.
+ * `npm run pictures -- readme` or `-- catalog` makes only those, `-- catalog hole-3 hole-4` only of these shapes.
  */
 import { mkdirSync } from 'node:fs';
 import path from 'node:path';
@@ -65,6 +65,9 @@ if (!wanted.length || wanted.includes('readme')) {
   await capsPicture(browser, site.url);
   await holdingPicture(browser, site.url, path.join(folder, 'holding.png'));
 }
-if (!wanted.length || wanted.includes('catalog')) await catalogPictures(browser);
+if (!wanted.length || wanted.includes('catalog')) {
+  const [, ...shapes] = wanted.filter((name) => name !== 'readme');
+  await catalogPictures(browser, shapes);
+}
 await browser.close();
 await site.close();

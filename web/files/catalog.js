@@ -3,7 +3,7 @@
  * @file Types and loading of the catalog's files, in the schema in which `npm run catalog` writes them.
  */
 
-/** @import {CertificateReport, Energies, FunctionalName, GeneratedCage, Group, LevelReport, LimitStatus, Options, Report} from '../../wasm/types.js' */
+/** @import {CertificateReport, Constraints, Energies, FunctionalName, GeneratedCage, Group, LevelReport, LimitStatus, Options, Report} from '../../wasm/types.js' */
 
 /**
  * How the energy of an entry is known. `converged`: extrapolated, with an error bar. `upper_bound`: the energy of an
@@ -14,11 +14,12 @@
 /** A column of the catalog. @typedef {{name: string, weights: Partial<Record<FunctionalName, number>>}} CatalogFunctional */
 
 /**
- * A row of the catalog. `junctions` and `arms` (per junction) are 0 if the shape has no junctions.
- * @typedef {{name: string, genus: number, junctions: number, arms: number, cage: GeneratedCage}} CatalogShape
+ * A row of the catalog. `junctions` and `arms` (per junction) are 0 if the shape has no junctions. Only holes, which are open,
+ * have `sides` and `constraints`.
+ * @typedef {{name: string, genus: number, junctions: number, arms: number, sides?: number, cage: GeneratedCage, constraints?: Constraints}} CatalogShape
  */
 
-/** A quantity is null if it diverges; an entry has no functional that is newer than it. @typedef {Partial<Record<FunctionalName, number | null>> & Record<'area' | 'gaussian' | 'quadrature_error', number | null> & {resolved: boolean} & Partial<Pick<Energies, 'below_bound' | 'embedded'>>} EntryEnergies */
+/** A quantity is null if it diverges; an entry has no functional that is newer than it. @typedef {Partial<Record<FunctionalName, number | null>> & Record<'area' | 'gaussian' | 'quadrature_error', number | null> & {resolved: boolean} & Partial<Pick<Energies, 'below_bound' | 'embedded' | 'free'>>} EntryEnergies */
 
 /**
  * Levels that an earlier version computed lack the members that came later.

@@ -28,6 +28,8 @@ const polyhedra = {
 export function cageWords(name) {
   if (name === 'cube') return { title: 'Cube', genus: 0, frame: false };
   if (name === 'torus') return { title: 'Torus', genus: 1, frame: false };
+  const sides = /^hole-(\d+)$/.exec(name)?.[1];
+  if (name === 'n-sided' || sides) return { title: `${sides ?? 'N'}-sided hole`, genus: null, frame: false };
   const arms = /^two-(\d+)$/.exec(name);
   if (arms) return { title: `Two junctions, ${arms[1]} arms`, genus: Number(arms[1]) - 1, frame: true };
   const polyhedron = /^(.*)-frame$/.exec(name)?.[1];

@@ -24,7 +24,7 @@ import { compact, integer, upperBound, withError } from './numbers.js';
  *   the minimizer descends to
  * @property {{energy: number, error: number | null, agrees: boolean | null} | null} second_family
  */
-/** @typedef {{name: string, genus: number, junctions: number, arms: number}} Shape */
+/** @typedef {{name: string, genus: number, junctions: number, arms: number, sides?: number, cage?: {rise?: number}}} Shape holes have sides */
 /** @typedef {{shape: string, functional: string, thickness: number, energy: number, level: number, stop: string}} Start */
 /** @typedef {{shapes: Shape[], functionals: {name: string}[], entries: Entry[], starts: Start[]}} Catalog */
 
@@ -97,14 +97,17 @@ function tableOne(catalog) {
   }));
 }
 
-/** All energies of the catalog. @param {Catalog} catalog @returns {Table} */
+/** The shapes that are no holes. @param {Catalog} catalog */
+const closed = ({ shapes }) => shapes.filter(({ sides }) => !sides);
+
+/** All energies of the catalog's closed surfaces. @param {Catalog} catalog @returns {Table} */
 function allEnergies(catalog) {
   const find = lookup(catalog);
   return {
     title:
-      'All of it; ± is the error bar of a limit, ≤ an upper bound that does not converge, → an infimum that is not attained:',
+      'All closed surfaces; ± is the error bar of a limit, ≤ an upper bound that does not converge, → an infimum that is not attained:',
     head: ['genus', 'shape', ...catalog.functionals.map(({ name }) => `\`${name}\``)],
-    rows: catalog.shapes.map(({ name, genus }) => [
+    rows: closed(catalog).map(({ name, genus }) => [
       genus,
       name,
       ...catalog.functionals.map((functional) => energyWords(find(name, functional.name))),
@@ -202,7 +205,7 @@ function certificates(catalog) {
     title:
       'Directions that lower the energy of the minimizer once it may leave its symmetry (and the level they were counted at):',
     head: ['shape', ...catalog.functionals.map(({ name }) => `\`${name}\``)],
-    rows: catalog.shapes.map(({ name }) => [
+    rows: closed(catalog).map(({ name }) => [
       name,
       ...catalog.functionals.map((functional) => {
         const certificate = find(name, functional.name)?.certificate;
@@ -210,6 +213,27 @@ function certificates(catalog) {
       }),
     ]),
   };
+}
+
+/** The open surfaces. @param {Catalog} catalog @returns {Table[]} */
+function holes(catalog) {
+  const find = lookup(catalog);
+  const rows = catalog.shapes.flatMap(({ name, sides, cage }) => {
+    const entry = sides && find(name, 'mvs_cross');
+    if (!entry) return [];
+    const { group, certificate } = entry;
+    const directions = certificate ? `${certificate.negative} (${certificate.level})` : '';
+    return [[sides, name, cage?.rise ?? '', group.name, energyWords(entry), directions]];
+  });
+  if (!rows.length) return [];
+  return [
+    {
+      title:
+        "Holes, N-sided surfaces whose boundary holds position, tangent and curvature of their cage, a saddle over the regular polygon; the factor A is the constant area of the cage's own surface:",
+      head: ['sides', 'shape', 'rise', 'group', '`mvs_cross`', 'directions that lower it (level)'],
+      rows,
+    },
+  ];
 }
 
 /** What the minimizers descend to, beside the surface of the same genus with two junctions. @param {Catalog} catalog @returns {Table[]} */
@@ -354,6 +378,7 @@ export function catalogTables(catalog) {
     ...claims(catalog),
     ...[preferences, families, starts, allEnergies, certificates].map((table) => table(catalog)),
     ...descents(catalog),
+    ...holes(catalog),
     ...opinions(catalog),
   ];
 }

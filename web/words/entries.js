@@ -48,6 +48,11 @@ export function junctionWords({ name, junctions, arms }) {
   return junctions && !name.startsWith('two-') ? `${counted(junctions, 'junction')} of ${counted(arms, 'arm')}` : '';
 }
 
+/** What is held at the boundary of a hole: "curvature held". @param {CatalogShape} shape @returns {string} empty for closed shapes */
+export function boundaryWords({ constraints }) {
+  return constraints?.boundary?.condition ? `${constraints.boundary.condition} held` : '';
+}
+
 /**
  * A column's head.
  * @param {CatalogFunctional} functional
@@ -131,9 +136,13 @@ export function opinionWords({ second_opinion: opinion }) {
  * @param {CatalogFunctional} functional
  * @param {CatalogEntry} entry
  */
-export function commands({ name, cage }, { weights }, { settings }) {
+export function commands({ name, cage, constraints }, { weights }, { settings }) {
   const family = cageWords(cage.generator).frame ? ` --family ${cage.family}` : '';
   const thickness = (cage.thickness ?? 1) === 1 ? '' : ` --thickness ${cage.thickness}`;
+  const polygon = cage.sides ? ` --sides ${cage.sides} --rise ${cage.rise}` : '';
+  const condition = constraints?.boundary?.condition;
+  const boundary = condition ? ` --boundary ${condition} --holes hole` : '';
+  const metric = settings.metric === 'auto' ? '' : ` --metric ${settings.metric}`;
   const sum = Object.entries(weights).map(([id, weight]) => `${id}=${weight}`);
   const objective = sum.length > 1 ? `--weights ${sum.join(',')}` : `--functional ${Object.keys(weights)[0]}`;
   const tolerance = settings.tolerance === 1e-6 ? '' : ` --tolerance ${settings.tolerance}`;
@@ -141,8 +150,8 @@ export function commands({ name, cage }, { weights }, { settings }) {
   const rings = settings.cap_rings === 4 ? '' : ` --cap-rings ${settings.cap_rings}`;
   const file = `${name}.obj`;
   return [
-    `umbilic cage ${cage.generator}${family}${thickness} -o ${file}`,
-    `umbilic optimize ${file} ${objective} --levels ${settings.levels.join('..')}${rings}${tolerance}${iterations}`,
+    `umbilic cage ${cage.generator}${family}${thickness}${polygon} -o ${file}`,
+    `umbilic optimize ${file} ${objective}${boundary} --levels ${settings.levels.join('..')}${rings}${metric}${tolerance}${iterations}`,
   ].join('\n');
 }
 

@@ -271,6 +271,11 @@ TEST(OpenCages, are_symmetric) {
     expect_symmetric(cage, across);
     if (view != "spherical-cap") expect_symmetric(cage, upside_down);
   }
+  for (const int sides : {3, 4, 8}) {
+    const Cage saddle = *generate_cage("n-sided", {.sides = sides, .rise = 0.5});
+    expect_symmetric(saddle, turn(sides));
+    expect_symmetric(saddle, across);
+  }
 }
 
 TEST(OpenCages, of_n_sides_have_straight_evenly_divided_sides_that_end_in_the_corners) {
@@ -285,6 +290,34 @@ TEST(OpenCages, of_n_sides_have_straight_evenly_divided_sides_that_end_in_the_co
   for (const std::vector<int>& loop : boundary_loops(surface_of(cage))) {
     EXPECT_EQ(loop.size(), 12u);
     for (const int v : loop) EXPECT_LT((limit_at(cage, v) - cage.vertices.row(v).transpose()).norm(), 1e-14);
+  }
+}
+
+TEST(OpenCages, of_n_sides_are_flat_without_a_rise_and_with_it_lie_above_the_same_points) {
+  for (int sides = 3; sides <= 12; ++sides) {
+    const Points flat = generate_cage("n-sided", {.sides = sides})->vertices;
+    EXPECT_TRUE((flat.col(2).array() == 0).all());
+    EXPECT_FALSE(flat.col(2).array().unaryExpr([](double z) { return std::signbit(z); }).any())
+        << "would be written -0";
+    const Points saddle = generate_cage("n-sided", {.sides = sides, .rise = -0.5})->vertices;
+    EXPECT_EQ(saddle.leftCols(2), flat.leftCols(2));
+  }
+}
+
+TEST(OpenCages, of_n_sides_with_a_rise_have_their_control_points_on_a_harmonic_saddle) {
+  const double radius = 2, rise = 0.75;
+  const auto expect_on = [&](int sides, const auto& polynomial) {
+    const Cage cage = *generate_cage("n-sided", {.major_segments = 4, .radius = radius, .sides = sides, .rise = rise});
+    for (const auto& point : cage.vertices.rowwise()) {
+      EXPECT_NEAR(point.z(), rise * polynomial(point.x() / radius, point.y() / radius), 1e-13);
+    }
+  };
+  expect_on(3, [](double x, double y) { return x * x * x - 3 * x * y * y; });
+  expect_on(4, [](double x, double y) { return x * x * x * x - 6 * x * x * y * y + y * y * y * y; });
+  const Cage cage = *generate_cage("n-sided", {.radius = radius, .sides = 7, .rise = rise});
+  for (int i = 0; i < 7; ++i) {
+    const Vector3 corner(radius * std::cos(2 * pi * i / 7), radius * std::sin(2 * pi * i / 7), rise);
+    EXPECT_LT((cage.vertices.rowwise() - corner.transpose()).rowwise().norm().minCoeff(), 1e-13);
   }
 }
 
@@ -313,6 +346,8 @@ TEST(OpenCages, are_refused_out_of_range_by_name) {
   EXPECT_EQ(option_error("cylinder", {.minor_segments = 2}), "2 segments across are not 3 to 1000");
   EXPECT_EQ(option_error("cylinder", {.minor_segments = -1}), "-1 segments across are not 3 to 1000");
   EXPECT_EQ(option_error("n-sided", {.sides = 13}), "sides 13 is not between 3 and 12");
+  EXPECT_EQ(option_error("n-sided", {.rise = -101}), "rise -101 is not between -100 and 100");
+  EXPECT_EQ(option_error("n-sided", {.rise = nan}), "rise nan is not between -100 and 100");
   EXPECT_EQ(option_error("n-sided", {.major_segments = 5}), "5 segments along a side are not 2 to 100 and even");
   EXPECT_EQ(option_error("n-sided", {.major_segments = 8, .minor_segments = 3}),
             "3 segments across are not half of the 8 along a side");

@@ -36,6 +36,19 @@ TEST(WriteObj, every_generated_cage_reads_back_to_the_same_cage) {
   }
 }
 
+TEST(WriteObj, holes_are_a_group_that_is_named_once) {
+  const Cage cage = generate_cage("n-sided", {.major_segments = 2}).value();
+  Cage back = cage_of(write_obj(cage));
+  ASSERT_EQ(back.groups.size(), 1u);
+  EXPECT_EQ(back.groups[0].name, kHoleGroup);
+  EXPECT_EQ(back.groups[0].faces, cage.holes);
+  back.holes = back.groups[0].faces;
+  back.groups[0].name = "beyond";
+  const Cage again = cage_of(write_obj(back));
+  ASSERT_EQ(again.groups.size(), 1u);
+  EXPECT_EQ(again.groups[0].name, "beyond");
+}
+
 TEST(WriteObj, decimals_are_the_shortest_that_do) {
   Cage cage = cage_of(tetrahedron_obj());
   cage.vertices(0, 0) = 0.1;

@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 TEST(CatalogShapes, have_the_genus_of_their_cages_and_of_their_graphs_of_junctions) {
   for (const CatalogShape& shape : catalog_shapes()) {
-    Cage cage = *generate_cage(shape.generator);
+    Cage cage = *generate_cage(shape.generator, cage_options(shape));
     EXPECT_EQ(validate(cage)->genus, shape.genus) << shape.name;
     if (shape.frame()) {
       EXPECT_EQ(shape.junctions * shape.arms / 2 - shape.junctions + 1, shape.genus) << shape.name;

@@ -141,6 +141,16 @@ TEST(BoundaryConditions, of_curvature_need_data) {
   EXPECT_NE(words.find("says nothing of the curvature across its boundary at vertex"), std::string::npos) << words;
 }
 
+TEST(BoundaryConditions, of_curvature_are_held_to_rounding_at_the_corners_of_a_polygon_with_a_saddle) {
+  for (const int sides : {3, 8}) {
+    const Cage saddle = *generate_cage("n-sided", {.major_segments = 4, .sides = sides, .rise = 0.25});
+    const Constraints constraints = at_boundary(BoundaryCondition::kCurvature);
+    const umbilic::Run run = bounded(saddle, "mvs_cross", 1, constraints, 1e-4);
+    EXPECT_LT(largest_residual(run, saddle, constraints, 1), 1e-12);
+    EXPECT_GT(run.constraints()->deviation, 1e-3);
+  }
+}
+
 TEST(BoundaryConditions, of_curvature_have_their_data_where_the_faces_at_the_boundary_are_held) {
   const Cage grid = undulating_grid(6, 0.3);
   Constraints constraints = at_boundary(BoundaryCondition::kCurvature);

@@ -123,7 +123,8 @@ TEST(Text, of_a_generated_cage_shows_what_applies_to_it_with_the_segments_that_i
   EXPECT_TRUE(shows({"catenoid", {}}, R"({"generator":"catenoid","segments":[32,8],"height":2,"waist":1})"));
   EXPECT_TRUE(shows({"spherical-cap", {.half_angle = 150}},
                     R"({"generator":"spherical-cap","segments":[32,9],"radius":1,"half_angle":150})"));
-  EXPECT_TRUE(shows({"n-sided", {.sides = 7}}, R"({"generator":"n-sided","segments":[8,4],"radius":1,"sides":7})"));
+  EXPECT_TRUE(shows({"n-sided", {.sides = 7, .rise = 0.5}},
+                    R"({"generator":"n-sided","segments":[8,4],"radius":1,"sides":7,"rise":0.5})"));
   EXPECT_FALSE(shows({"cube", {}}, "segments"));
 }
 

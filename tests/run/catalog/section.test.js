@@ -118,6 +118,17 @@ test('the largest difference of what was computed another way is in a sentence, 
   expect(catalogSection(catalog)).not.toContain('Computed another way');
 });
 
+test('holes stand in a table of their own, and not among closed surfaces', () => {
+  const hole = { name: 'hole-5', genus: 0, junctions: 0, arms: 0, sides: 5, cage: { rise: 0.25 } };
+  const found = entry('hole-5', 'mvs_cross', 178, { group: { name: 'C5v' }, certificate: { level: 3, negative: 5 } });
+  const all = { ...catalog, shapes: [...shapes, hole], entries: [...catalog.entries, found] };
+  const lines = catalogSection(all).split('\n');
+  expect(lines.filter((line) => line.includes('hole-5'))).toEqual([
+    '| 5 | hole-5 | 0.25 | C5v | 178.0 ± 1.8 | 5 (3) |',
+  ]);
+  expect(catalogSection(catalog)).not.toContain('Holes');
+});
+
 test('what a minimizer descends to stands beside the surface with two junctions', () => {
   const below = { energy: 141.5482128, group: { name: 'D2' }, level: 3, certificate: { level: 3, negative: 0 } };
   const more = { group: { name: 'Td' }, certificate: { level: 3, negative: 2 }, below };

@@ -39,8 +39,11 @@ async function webp(page) {
   return Buffer.from(encoded, 'base64');
 }
 
-/** @param {Browser} browser */
-export async function catalogPictures(browser) {
+/**
+ * @param {Browser} browser
+ * @param {string[]} wanted names of shapes; all if empty
+ */
+export async function catalogPictures(browser, wanted) {
   if (!existsSync(path.join(catalogFolder, 'catalog.json'))) return;
   /** @param {string} name */
   const read = (name) => JSON.parse(readFileSync(path.join(catalogFolder, name), 'utf8'));
@@ -60,7 +63,7 @@ export async function catalogPictures(browser) {
   page.on('pageerror', (error) => console.error(error.message));
   await page.goto(`${site.url}thumbnails.html`);
   await page.waitForFunction(() => 'thumbnails' in window);
-  for (const { name } of shapes) {
+  for (const { name } of shapes.filter((shape) => !wanted.length || wanted.includes(shape.name))) {
     const row = entries.filter(({ shape, minimizer }) => shape === name && minimizer);
     await page.evaluate(({ shape, reports }) => /** @type {any} */ (window).thumbnails.open(shape, reports), {
       shape: name,

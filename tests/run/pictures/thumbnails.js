@@ -43,6 +43,8 @@ const views = {
 };
 /** @type {[number, number]} */
 const usualView = [70, 26];
+/** Of holes: from above, so that the whole surface is visible. @type {[number, number]} */
+const holeView = [70, 40];
 
 const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('canvas'));
 const scene = createScene(canvas, { calm: true, slow: true, rested: () => {} });
@@ -121,7 +123,7 @@ const thumbnails = {
   show(index) {
     const { positions } = meshes[index];
     scene.setSurface(meshes[index]);
-    const [azimuth, elevation] = views[shape] ?? usualView;
+    const [azimuth, elevation] = views[shape] ?? (shape.startsWith('hole-') ? holeView : usualView);
     scene.setCamera({ azimuth, elevation, distance: 1, target: [0, 0, 0] });
     frame(positions);
     scene.requestRender();

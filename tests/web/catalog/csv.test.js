@@ -4,7 +4,7 @@
  */
 import { expect, test } from '@jest/globals';
 import { catalogCsv } from '../../../web/pages/catalog/csv.js';
-import { catalog, entry } from './small.js';
+import { catalog, catalogWithHole, entry } from './small.js';
 
 /** RFC 4180, as a state machine. @param {string} text @returns {string[][]} */
 function parse(text) {
@@ -27,6 +27,13 @@ test('a line per entry, all of one length, with the names of the columns first',
   expect(new Set(head).size).toBe(head.length);
   expect(lines).toHaveLength(catalog.entries.length);
   for (const line of lines) expect(line).toHaveLength(head.length);
+});
+
+test('the sides of a hole and what its boundary holds are columns, empty for closed shapes', () => {
+  const [head, ...lines] = parse(catalogCsv(catalogWithHole));
+  const of = (/** @type {string[]} */ line) => ['sides', 'boundary'].map((name) => line[head.indexOf(name)]);
+  expect(of(lines[0])).toEqual(['', '']);
+  expect(of(lines[lines.length - 1])).toEqual(['5', 'curvature']);
 });
 
 test('numbers come back to the last digit, what is not there is empty, and texts keep their quotes', () => {

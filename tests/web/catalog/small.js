@@ -3,7 +3,7 @@
  * @file A small catalog that has every status, for the tests of the page.
  */
 
-/** @import {Catalog, CatalogEntry} from '../../../web/files/catalog.js' */
+/** @import {Catalog, CatalogEntry, CatalogShape} from '../../../web/files/catalog.js' */
 
 /**
  * @param {string} shape
@@ -80,5 +80,26 @@ export const catalog = {
     entry('torus', 'bending', { energy: 78.9568, error: 0.0034, group: { name: 'D6h', order: 24 } }),
     entry('torus', 'mvs', { status: 'zero_attained', energy: 0, error: null, exact: 0 }),
     entry('torus', 'bending_mvs_cross', { status: 'infimum_not_attained', energy: 779.2727, error: null }),
+  ],
+};
+
+/** An open shape, which has an entry for one functional only. @type {CatalogShape} */
+export const hole = {
+  name: 'hole-5',
+  genus: 0,
+  junctions: 0,
+  arms: 0,
+  sides: 5,
+  cage: { generator: 'n-sided', segments: [8, 4], radius: 1, sides: 5, rise: 0.25 },
+  constraints: { boundary: { condition: 'curvature', loops: [] } },
+};
+
+/** @type {Catalog} */
+export const catalogWithHole = {
+  ...catalog,
+  shapes: [...catalog.shapes, hole],
+  entries: [
+    ...catalog.entries,
+    entry('hole-5', 'mvs', { energy: 178.01, error: 0.035, group: { name: 'C5v', order: 10 } }),
   ],
 };

@@ -6,7 +6,7 @@ import { describe, expect, test } from '@jest/globals';
 import { parseCatalogAddress } from '../../../web/address/catalog.js';
 import { initialState, reduce } from '../../../web/pages/catalog/reduce.js';
 import { allRows, filterValues, findEntry, visibleRows } from '../../../web/pages/catalog/select.js';
-import { catalog } from './small.js';
+import { catalog, catalogWithHole } from './small.js';
 
 /** @import {Action, Filter, State} from '../../../web/pages/catalog/types.js' */
 
@@ -61,6 +61,17 @@ describe('rows', () => {
       [{ genus: 4 }, []],
     ]),
   )('that pass %j are %j', (change, expected) => expect(names(after(filter(change)))).toEqual(expected));
+
+  test('of a hole are found by its words and by its genus, and have no arms to filter by', () => {
+    const state = { ...after(), catalog: catalogWithHole };
+    /** @param {Partial<Filter>} change */
+    const passing = (change) => names(reduce(state, filter(change)));
+    for (const search of ['hole', '5-sided', 'open curvature held']) expect(passing({ search })).toEqual(['hole-5']);
+    expect(passing({ genus: 0 })).toEqual(['hole-5']);
+    expect(passing({ group: 'C5v' })).toEqual(['hole-5']);
+    expect(names(state).at(-1)).toBe('hole-5');
+    expect(filterValues(catalogWithHole).arms).toEqual(filterValues(catalog).arms);
+  });
 
   test('are all back when the filter is cleared, in the order that was chosen', () => {
     const state = after(sort('genus'), filter({ genus: 3 }), filter({ search: 'x' }), { type: 'filterCleared' });

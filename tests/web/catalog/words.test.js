@@ -5,6 +5,7 @@
 import { describe, expect, test } from '@jest/globals';
 import {
   besideWords,
+  boundaryWords,
   citation,
   columnWords,
   commands,
@@ -15,7 +16,7 @@ import {
   typeset,
 } from '../../../web/words/entries.js';
 import { upperBound } from '../../../web/words/numbers.js';
-import { catalog, entry } from './small.js';
+import { catalog, entry, hole } from './small.js';
 
 describe('an energy', () => {
   test.each(
@@ -89,6 +90,18 @@ describe('an energy', () => {
     const text = commands(thick, catalog.functionals[2], catalog.entries[0]);
     expect(text).toMatch(/--thickness 0.5 .*--weights bending=1,mvs_cross=1 /s);
   });
+});
+
+test('a hole is named by its sides, and comes from commands that hold its boundary', () => {
+  expect(shapeTitle('hole-5')).toBe('5-sided hole');
+  expect(boundaryWords(hole)).toBe('curvature held');
+  expect(boundaryWords(catalog.shapes[0])).toBe('');
+  const deep = entry('hole-5', 'mvs');
+  deep.settings = { ...deep.settings, metric: 'hessian', levels: [0, 5] };
+  expect(commands(hole, catalog.functionals[1], deep)).toBe(
+    'umbilic cage n-sided --sides 5 --rise 0.25 -o hole-5.obj\n' +
+      'umbilic optimize hole-5.obj --functional mvs --boundary curvature --holes hole --levels 0..5 --metric hessian',
+  );
 });
 
 describe('a title', () => {

@@ -6,7 +6,8 @@ import { setTimeout as sleep } from 'node:timers/promises';
 import { describe, expect, test } from '@jest/globals';
 import { entryName, parseCompareAddress } from '../../../web/address/compare.js';
 import { createEffects } from '../../../web/pages/compare/effects.js';
-import { initialState, reduce } from '../../../web/pages/compare/reduce.js';
+import { functionalsOf, initialState, reduce } from '../../../web/pages/compare/reduce.js';
+import { catalogWithHole } from '../catalog/small.js';
 import { catalog, report } from '../catalog.js';
 
 /** @typedef {import('../../../web/pages/compare/types.js').Action} Action */
@@ -58,6 +59,15 @@ describe('entries', () => {
     const changed = after(state, { type: 'entryChosen', index: 1, change: { shape: 'two-3' } });
     expect(names(changed)).toEqual(['two-3.bending', 'two-3.bending']);
     expect(Object.keys(changed.surfaces)).toEqual(['two-3.bending']);
+  });
+
+  test('of a shape that has one functional are chosen and added under that, then another shape under it', () => {
+    const open = after(opened('?entries=two-3.bending,two-3.mvs'), { type: 'catalogLoaded', catalog: catalogWithHole });
+    const chosen = after(open, { type: 'entryChosen', index: 0, change: { shape: 'hole-5' } });
+    expect(names(chosen)[0]).toBe('hole-5.mvs');
+    expect(functionalsOf(catalogWithHole, 'hole-5').map(({ name }) => name)).toEqual(['mvs']);
+    const last = after(open, { type: 'entryChosen', index: 1, change: { shape: 'hole-5' } }, { type: 'entryAdded' });
+    expect(names(last)).toEqual(['two-3.bending', 'hole-5.mvs', 'two-3.mvs']);
   });
 
   test('that an address does not name are the first ones, with a notice until it is dismissed', () => {

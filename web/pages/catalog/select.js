@@ -3,7 +3,7 @@
  * @file What the views derive from the state: the visible rows in order, the values to filter by, and single entries.
  */
 import { entryName } from '../../address/compare.js';
-import { shapeTitle } from '../../words/entries.js';
+import { boundaryWords, shapeTitle } from '../../words/entries.js';
 
 /** @import {CatalogAddress} from '../../address/catalog.js' */
 /** @import {Catalog, CatalogEntry, CatalogFunctional, CatalogShape} from '../../files/catalog.js' */
@@ -26,7 +26,9 @@ export function groupOf({ entries }) {
 /** @param {Row} row @param {Filter} filter */
 function passes(row, { genus, arms, group, status, search }) {
   const { shape, entries } = row;
-  const text = `${shape.name} ${shapeTitle(shape.name)} ${groupOf(row)?.name} genus ${shape.genus}`.toLowerCase();
+  const open = shape.sides ? `open ${boundaryWords(shape)}` : '';
+  const text =
+    `${shape.name} ${shapeTitle(shape.name)} ${groupOf(row)?.name} genus ${shape.genus} ${open}`.toLowerCase();
   return (
     (genus === null || shape.genus === genus) &&
     (arms === null || shape.arms === arms) &&

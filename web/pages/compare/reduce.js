@@ -24,17 +24,40 @@ export function entryOf(catalog, { shape, functional }) {
   return catalog?.entries.find((entry) => entry.shape === shape && entry.functional === functional) ?? null;
 }
 
+/** The functionals under which the catalog has this shape, in its order. @param {Catalog} catalog @param {string} shape */
+export const functionalsOf = (catalog, shape) =>
+  catalog.functionals.filter(({ name }) => entryOf(catalog, { shape, functional: name }));
+
 /**
- * The entry that is added next: the last shape under the first functional that is not shown with it yet.
+ * The entry that is added next: the last shape under the first functional that is not shown with it yet, or else, under the
+ * last functional, the first shape after it that is not shown yet.
  * @param {State} state
  * @returns {EntryName}
  */
 function nextEntry({ catalog, entries }) {
   const last = entries[entries.length - 1];
-  const functionals = catalog?.functionals.map(({ name }) => name) ?? [];
+  if (!catalog) return last;
+  const names = catalog.shapes.map(({ name }) => name);
+  const place = names.indexOf(last.shape) + 1;
+  const others = [...names.slice(place), ...names.slice(0, place)];
+  const candidates = [
+    ...functionalsOf(catalog, last.shape).map(({ name }) => ({ shape: last.shape, functional: name })),
+    ...others.map((shape) => ({ shape, functional: last.functional })),
+  ];
   const taken = new Set(entries.map(entryName));
-  const free = functionals.find((functional) => !taken.has(entryName({ shape: last.shape, functional })));
-  return free ? { shape: last.shape, functional: free } : last;
+  return candidates.find((name) => entryOf(catalog, name) && !taken.has(entryName(name))) ?? last;
+}
+
+/**
+ * The entry with a change; of a shape that the catalog does not have under the functional, under its first one.
+ * @param {Catalog | null} catalog
+ * @param {EntryName} name
+ * @returns {EntryName}
+ */
+function known(catalog, name) {
+  if (!catalog || entryOf(catalog, name)) return name;
+  const [functional] = functionalsOf(catalog, name.shape);
+  return functional ? { ...name, functional: functional.name } : name;
 }
 
 /**
@@ -68,7 +91,7 @@ export function reduce(state, action) {
     case 'entryChosen':
       return withEntries(
         state,
-        entries.map((entry, i) => (i === action.index ? { ...entry, ...action.change } : entry)),
+        entries.map((entry, i) => (i === action.index ? known(state.catalog, { ...entry, ...action.change }) : entry)),
       );
     case 'entryAdded':
       return entries.length < MOST ? withEntries(state, [...entries, nextEntry(state)]) : state;

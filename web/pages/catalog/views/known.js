@@ -6,11 +6,12 @@ import { entryName } from '../../../address/compare.js';
 import { catalogAddress } from '../../../files/catalog.js';
 import { element } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
-import { columnWords, junctionWords, opinionWords, typeset } from '../../../words/entries.js';
+import { boundaryWords, columnWords, junctionWords, opinionWords, typeset } from '../../../words/entries.js';
 import { functionals } from '../../../words/functionals.js';
+import { freeName, freeWords } from '../../../words/holding.js';
 import { compact, counted, integer, significant, upperBound, withError } from '../../../words/numbers.js';
 
-/** @import {FunctionalName} from '../../../../wasm/types.js' */
+/** @import {Energies, FunctionalName} from '../../../../wasm/types.js' */
 /** @import {CatalogEntry, CatalogFunctional, CatalogStart} from '../../../files/catalog.js' */
 /** @import {findEntry} from '../select.js' */
 
@@ -30,7 +31,8 @@ const fact = (term, ...value) => element('div', {}, element('dt', {}, term), ele
 /** The facts about an entry besides its energy. @param {Found} found @param {CatalogStart[]} starts all of the catalog @returns {HTMLElement[]} */
 export function facts({ entry, shape }, starts) {
   const { group, certificate, below, second_family: second, limit, paper, exact, energy, settings } = entry;
-  const list = [fact('Genus', String(shape.genus))];
+  const list = [fact('Genus', `${shape.genus}${shape.sides ? ', open' : ''}`)];
+  if (boundaryWords(shape)) list.push(fact('Boundary', `${boundaryWords(shape)}, that of the cage’s own surface`));
   if (junctionWords(shape)) list.push(fact('Frame', junctionWords(shape)));
   if (group) list.push(fact('Symmetry', ...groupSymbol(group.name), `, order ${group.order}`));
   if (limit?.order) list.push(fact('Observed order', compact(limit.order, 2)));
@@ -58,7 +60,7 @@ export function facts({ entry, shape }, starts) {
     const { negative, level } = certificate;
     const words = negative
       ? `${counted(negative, 'direction lowers', 'directions lower')} the energy, level ${level}`
-      : `a local minimum among all surfaces near it, level ${level}`;
+      : `a local minimum among all surfaces near it${shape.sides ? ' with this boundary' : ''}, level ${level}`;
     list.push(fact('Certificate', words));
   }
   if (below) list.push(fact('Below it', ...belowWords(below)));
@@ -100,18 +102,22 @@ function energyRow(name, formula, value, objective) {
 export function energyTable(entry, functional) {
   const { energies } = entry;
   const parts = Object.entries(functional.weights);
+  const terms = /** @type {FunctionalName[]} */ (Object.keys(functional.weights));
+  const { free } = energies;
   const rows = functionals.flatMap(({ id, name, formula }) => {
     const energy = energies[id];
     if (energy === undefined) return []; // the entry is older than the functional
-    return [energyRow(name, formula, energy, parts.length === 1 && id in functional.weights)];
+    return [energyRow(name, formula, energy, parts.length === 1 && id in functional.weights && !free)];
   });
-  if (parts.length > 1) {
+  if (parts.length > 1 || free) {
     const { name, formula } = columnWords(functional);
+    const minimized = free ?? energies;
     const sum = parts.reduce(
-      (total, [id, weight]) => total + weight * (energies[/** @type {FunctionalName} */ (id)] ?? NaN),
+      (total, [id, weight]) => total + weight * (minimized[/** @type {FunctionalName} */ (id)] ?? NaN),
       0,
     );
-    rows.unshift(energyRow(name, formula, sum, true));
+    const told = free ? `${name}, ${freeName(/** @type {Energies} */ (energies))}` : name;
+    rows.unshift(energyRow(told, formula, sum, true));
   }
   if (energies.gaussian !== null) {
     const value = energies.gaussian / (4 * Math.PI);
@@ -124,6 +130,7 @@ export function energyTable(entry, functional) {
   const opinion = opinionWords(entry);
   return [
     table,
+    ...freeWords(/** @type {Energies} */ (energies), terms).map((words) => element('p', { class: 'note' }, words)),
     element('p', { class: 'note' }, `By a finer rule than the one that was minimized.${error}`),
     ...(opinion ? [element('p', { class: 'note' }, `${opinion}.`)] : []),
   ];

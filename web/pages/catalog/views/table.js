@@ -7,7 +7,7 @@ import { counted } from '../../../words/numbers.js';
 import { element, find, setText, whenChanged } from '../../../views/dom.js';
 import { groupSymbol } from '../../../views/group.js';
 import { allRows, groupOf, visibleRows } from '../select.js';
-import { columnWords, junctionWords, shapeTitle } from '../../../words/entries.js';
+import { boundaryWords, columnWords, junctionWords, shapeTitle } from '../../../words/entries.js';
 import { createCell, emptyCell } from './cell.js';
 
 /** @import {Catalog} from '../../../files/catalog.js' */
@@ -32,8 +32,8 @@ function createRow(row, { functionals }, dispatch) {
   const title = shapeTitle(shape.name);
   const group = groupOf(row);
   const facts = [
-    element('span', { class: 'only-narrow' }, `genus ${shape.genus}`),
-    element('span', {}, junctionWords(shape)),
+    element('span', { class: 'only-narrow' }, shape.sides ? 'open' : `genus ${shape.genus}`),
+    element('span', {}, junctionWords(shape) || boundaryWords(shape)),
     element('span', {}, ...(group ? [...groupSymbol(group.name), `, order ${group.order}`] : [])),
   ];
   const name = element('th', { scope: 'row' }, element('strong', {}, title), ...facts);
@@ -45,7 +45,7 @@ function createRow(row, { functionals }, dispatch) {
       'tr',
       { 'data-shape': shape.name },
       name,
-      element('td', { class: 'genus' }, String(shape.genus)),
+      element('td', { class: 'genus' }, String(shape.genus), ...(shape.sides ? [element('span', {}, 'open')] : [])),
       ...cells.map((cell) => cell?.root ?? emptyCell()),
     ),
     /** @param {State} state */

@@ -10,6 +10,7 @@ import { createPanes } from '../../../scene/panes.js';
 import { element, find, setEnabled, setText, whenChanged } from '../../../views/dom.js';
 import { listenToKeys } from '../../../views/keys.js';
 import { columnWords, shapeTitle } from '../../../words/entries.js';
+import { functionalsOf } from '../reduce.js';
 
 /** @import {Camera} from '../../../address/camera.js' */
 /** @import {EntryName} from '../../../address/compare.js' */
@@ -110,10 +111,14 @@ function createPane(index, dispatch, pictures) {
   remove.addEventListener('click', () => dispatch({ type: 'entryRemoved', index }), { signal });
   picture.addEventListener('error', () => (picture.hidden = true), { signal });
 
-  const fill = whenChanged((/** @type {Catalog} */ { shapes, functionals }) => {
+  const fillShapes = whenChanged((/** @type {Catalog} */ { shapes }) => {
     shape.replaceChildren(...shapes.map(({ name }) => element('option', { value: name }, shapeTitle(name))));
+  });
+  const fillFunctionals = whenChanged((/** @type {Catalog} */ catalog, /** @type {string} */ name) => {
     functional.replaceChildren(
-      ...functionals.map((column) => element('option', { value: column.name }, columnWords(column).name)),
+      ...functionalsOf(catalog, name).map((column) =>
+        element('option', { value: column.name }, columnWords(column).name),
+      ),
     );
   });
   const showPicture = whenChanged((/** @type {string} */ name) => {
@@ -128,7 +133,10 @@ function createPane(index, dispatch, pictures) {
     update({ catalog, entries, surfaces }, entry) {
       figure.hidden = !entry;
       if (!entry) return;
-      if (catalog) fill(catalog);
+      if (catalog) {
+        fillShapes(catalog);
+        fillFunctionals(catalog, entry.shape);
+      }
       shape.value = entry.shape;
       functional.value = entry.functional;
       setEnabled(remove, entries.length > FEWEST);

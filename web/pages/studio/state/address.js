@@ -35,7 +35,7 @@ export function whatIsAsked(address, settings) {
 }
 
 /**
- * The address that opens what is on the screen. It cannot name a cage from a file.
+ * The address that opens what is on the screen. It cannot name a cage from a file, nor the sides and the rise of a polygon.
  * @param {State} state
  * @returns {StudioAddress}
  */
@@ -48,7 +48,7 @@ export function addressOf(state) {
   if (wanted) return { ...looked, ...wanted };
   const entry = opening?.entry ?? (showsEntry(state) ? minimizer?.entry : null);
   if (entry) return { ...looked, shape: entry.shape, functional: entry.functional };
-  if (cage?.source.kind === 'text') return { ...looked, shape: '' };
+  if (cage && (cage.source.kind === 'text' || cage.source.sides !== undefined)) return { ...looked, shape: '' };
   const { functional, cap, symmetry, levels, accuracy } = settings;
   const { name, family, thickness } = generator;
   /** @type {StudioAddress} */

@@ -107,8 +107,7 @@ const given = (parameters) =>
 /** @param {Exclude<Source, {kind: 'problem'}>} source @returns {CageInput} */
 function cageOf(source) {
   if (source.kind === 'text') return { name: source.name, text: source.text };
-  const { name, family, thickness, spread, ratio, segments } = source;
-  return { generator: name, ...given({ family, thickness, spread, ratio, segments }) };
+  return { generator: source.name, ...given({ ...source, kind: undefined, name: undefined }) };
 }
 
 /**

@@ -7,8 +7,20 @@ import { settingsAreFree } from '../state/reduce.js';
 import { besideWords, energyWords, opinionWords, statusWords, typeset } from '../../../words/entries.js';
 import { element, find, onPress, setEnabled, whenChanged } from '../../../views/dom.js';
 
+/** @import {EntryName} from '../../../address/compare.js' */
 /** @import {CatalogEntry} from '../../../files/catalog.js' */
 /** @import {Action, State} from '../state/types.js' */
+
+/**
+ * What an entry is compared with first: its shape under another functional; a hole, which has one only, with another hole.
+ * @param {EntryName} entry
+ * @returns {EntryName}
+ */
+export function besideIt({ shape, functional }) {
+  const sides = Number(/^hole-(\d+)$/.exec(shape)?.[1]);
+  if (sides) return { shape: `hole-${sides === 4 ? 5 : 4}`, functional };
+  return { shape, functional: functional === 'bending' ? 'mvs_cross' : 'bending' };
+}
 
 /**
  * @param {HTMLElement} root
@@ -29,8 +41,7 @@ export function createEntryView(root, dispatch) {
     if (!entry) return words.replaceChildren();
     words.title = typeset(entry.reason ?? '');
     const { value, error } = energyWords(entry);
-    const { shape, functional } = entry;
-    compare.href = compareLink([entry, { shape, functional: functional === 'bending' ? 'mvs_cross' : 'bending' }]);
+    compare.href = compareLink([entry, besideIt(entry)]);
     words.replaceChildren(
       'Catalog: ',
       element('strong', {}, error ? `${value} ± ${error}` : value),
