@@ -77,13 +77,16 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
     settings.certified_faces = kMaxCertifiedFaces;
     settings.descends = !third_order(functional.weights);
   }
-  const bool in_detail =
-      functional.name == "mvs_cross" && shape.genus <= kLargestGenusInDetail && has_equal_arms(shape);
+  const bool in_detail = functional.name == "mvs_cross" && shape.frame() && shape.genus <= kLargestGenusInDetail;
   if (in_detail && last_level > levels) settings.shown_level = levels++;
+  // Where arms differ, level 5 has more unknowns than the automatic choice gives the Hessian's metric, and would end at its
+  // iteration limit.
+  if (in_detail && !has_equal_arms(shape)) settings.run.metric = MetricChoice::kHessian;
   settings.run.last_level = std::min(levels, last_level);
   if (shape.frame() && principal(functional)) {
     settings.second_family = FrameFamily::kHub;
-    settings.second_last_level = std::min(in_detail ? kThirdOrderHubLevels : kHubLevels, last_level);
+    const bool hub_in_detail = in_detail && has_equal_arms(shape);
+    settings.second_last_level = std::min(hub_in_detail ? kThirdOrderHubLevels : kHubLevels, last_level);
   }
   return settings;
 }

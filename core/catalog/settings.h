@@ -26,10 +26,10 @@ struct EntrySettings {
 };
 
 /// Levels from 0 to 3 for bending; to 4 for third-order functionals, and if three levels leave an error above 0.05 %;
-/// to 5 for mvs_cross up to genus 7 where all arms are alike, and of holes of 7 and 8 sides; fewer if the infimum is
-/// known and is not attained, or is 0. `last_level` is an upper bound. Only energies of second order descend: along the
-/// directions that a certificate counts for those of third order, which are not smooth at umbilics, hardly anything is
-/// gained.
+/// to 5 for mvs_cross of frames up to genus 7, of their second family where all arms are alike, and of holes of 7 and 8
+/// sides; fewer if the infimum is known and is not attained, or is 0. `last_level` is an upper bound. Only energies of
+/// second order descend: along the directions that a certificate counts for those of third order, which are not smooth
+/// at umbilics, hardly anything is gained.
 EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional& functional, int last_level);
 
 /// One run of the paper's figure 3, which minimizes one shape from a thin and from a thick cage.
