@@ -79,8 +79,8 @@ EntrySettings entry_settings(const CatalogShape& shape, const CatalogFunctional&
   }
   const bool in_detail = functional.name == "mvs_cross" && shape.frame() && shape.genus <= kLargestGenusInDetail;
   if (in_detail && last_level > levels) settings.shown_level = levels++;
-  // Where arms differ, level 5 has more unknowns than the automatic choice gives the Hessian's metric, and would end at its
-  // iteration limit.
+  // Where arms differ, level 5 has more unknowns than the automatic choice gives the Hessian's metric, and would end at
+  // its iteration limit.
   if (in_detail && !has_equal_arms(shape)) settings.run.metric = MetricChoice::kHessian;
   settings.run.last_level = std::min(levels, last_level);
   if (shape.frame() && principal(functional)) {

@@ -22,10 +22,11 @@ constexpr int kFitPoints = 12;
 constexpr int kFitGrading = 2;
 
 /// The samples on a face at which Q is fitted to S; none if the face is in no fitted ring.
-std::vector<Sample> fit_samples(CapShape shape, int cell) {
+std::vector<Sample> fit_samples(CapShape shape, int valence, int cell) {
   if (shape == CapShape::kOneRing) return graded_rule(kFitPoints, kFitGrading);
   const int ring = ring_of(shape, cell);
-  const bool fitted = ring >= design(shape).first_fit && ring <= design(shape).last_fit;
+  const auto [first, last] = fit_rings(shape, valence);
+  const bool fitted = ring >= first && ring <= last;
   return fitted ? tensor_rule(kFitPoints) : std::vector<Sample>();
 }
 
@@ -153,7 +154,7 @@ void CapSector::build_fit(int fitted) {
   const int count = coefficient_count(shape_), cells = cell_count(shape_);
   std::vector<Eigen::MatrixXd> surfaces(cells), polynomials(cells);
   for (int cell = 0; cell < cells; ++cell) {
-    const std::vector<Sample> samples = fit_samples(shape_, cell);
+    const std::vector<Sample> samples = fit_samples(shape_, net_.valence(), cell);
     Eigen::MatrixXd &surface = surfaces[cell], &monomials = polynomials[cell];
     surface.resize(samples.size(), net_.support(cell).size());
     monomials.resize(count, samples.size());

@@ -38,25 +38,47 @@ enum class CapShape {
   kSixteenRing,  ///< sixteen rings; Q of degree 6
 };
 
-/// What sets the caps apart: how many rings of faces they change, and how Q is fitted.
+/// What sets the caps apart.
 struct CapDesign {
-  int rings;
-  int degree;               ///< of Q as a polynomial in the characteristic map; 0 if Q is no such polynomial
-  int first_fit, last_fit;  ///< the rings of faces over which Q is fitted to S, from 0
+  int rings;   ///< of faces that the cap changes
+  int degree;  ///< of Q as a polynomial in the characteristic map; 0 if Q is no such polynomial
+};
+
+/// Degree 7 gains nothing.
+constexpr CapDesign design(CapShape shape) {
+  switch (shape) {
+    case CapShape::kBare:
+    case CapShape::kFlat: return {1, 0};
+    case CapShape::kOneRing: return {1, 3};
+    case CapShape::kTwoRing: return {2, 4};
+    case CapShape::kFourRing: return {4, 5};
+    case CapShape::kEightRing: return {8, 6};
+    case CapShape::kSixteenRing: return {16, 6};
+  }
+  return {};
+}
+
+/// The rings of faces over which Q is fitted to S, from 0.
+struct FitRings {
+  int first, last;
 };
 
 /// Q is fitted near the vertex, where S has no control points that could make up for Q's errors; in wide caps not
 /// nearer than in the fourth ring or so, since over a narrower range higher degrees are ill determined: fitted over the
-/// second ring, sixteen rings end in surfaces that are none. Degree 7 gains nothing.
-constexpr CapDesign design(CapShape shape) {
+/// second ring, sixteen rings end in surfaces that are none. So they do at valence 3 and 5 where {3, 6} serves higher
+/// valences: the lower the valence, the faster the characteristic map grows with the rings, and the further a
+/// polynomial goes beyond the rings that it is fitted over. {4, 9} is what eight rings have, on a mesh refined once
+/// more.
+constexpr FitRings fit_rings(CapShape shape, int valence) {
+  constexpr int kLowValence = 5;
   switch (shape) {
     case CapShape::kBare:
-    case CapShape::kFlat: return {1, 0, 0, 0};
-    case CapShape::kOneRing: return {1, 3, 0, 0};
-    case CapShape::kTwoRing: return {2, 4, 1, 1};
-    case CapShape::kFourRing: return {4, 5, 1, 1};
-    case CapShape::kEightRing: return {8, 6, 2, 4};
-    case CapShape::kSixteenRing: return {16, 6, 3, 6};
+    case CapShape::kFlat:
+    case CapShape::kOneRing: return {0, 0};
+    case CapShape::kTwoRing:
+    case CapShape::kFourRing: return {1, 1};
+    case CapShape::kEightRing: return {2, 4};
+    case CapShape::kSixteenRing: return valence <= kLowValence ? FitRings{4, 9} : FitRings{3, 6};
   }
   return {};
 }
@@ -100,7 +122,7 @@ class CapSector {
   DerivativeRows flattening(double u, double v) const;
 
   /// The coefficients of Q in the sector's own coordinates as a linear function of the net, coefficients x net size:
-  /// the least-squares fit to S over the design's rings, weighted by |grad b|^2. Only the sectors that carry surface
+  /// the least-squares fit to S over `fit_rings`, weighted by |grad b|^2. Only the sectors that carry surface
   /// are fitted: in the others S would depend on more ghosts than there are. The fit is invariant under the mirror that
   /// exchanges the first of them with the last.
   const Eigen::MatrixXd& fit() const { return fit_; }
