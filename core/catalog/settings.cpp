@@ -33,10 +33,11 @@ bool principal(const CatalogFunctional& functional) {
   return functional.name == "bending" || functional.name == "mvs_cross";
 }
 
-/// Cages of holes are not coarse, and at the flat umbilic in the middle of an odd number of sides caps wider than four
-/// rings end in surfaces that are none. The more sides, the larger the angles at the corners and the lower the order of
-/// convergence: of eight sides the limit is told from level 5 only, which is too large to view. In another metric than
-/// the Hessian's that level ends far above its minimum, of seven sides at 1161.96 instead of 1161.65.
+/// Cages of holes are not coarse: caps wider than the usual ones have all their rings at level 2 and shrink from there.
+/// They are then fitted where the level before left the limit surface to chance, and of three sides end in surfaces
+/// that are none. The more sides, the larger the angles at the corners and the lower the order of convergence: of eight
+/// sides the limit is told from level 5 only, which is too large to view. In another metric than the Hessian's that
+/// level ends far above its minimum, of seven sides at 1161.96 instead of 1161.65.
 EntrySettings hole_settings(const CatalogShape& shape, const CatalogFunctional& functional, int last_level) {
   constexpr int kShown = 4, kMostSidesInFourLevels = 6;
   EntrySettings settings;
