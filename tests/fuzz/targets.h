@@ -28,6 +28,10 @@ struct Target {
 
 inline constexpr std::array<Target, 3> kTargets{{{"cages", cages}, {"problems", problems}, {"contract", contract}}};
 
+/// Of the processor that an input takes with sanitizers, on any machine: the time by the clock depends on what else
+/// runs.
+inline constexpr double kMostSeconds = 10;
+
 /// Ends the program with these words unless the promise is kept, in all builds.
 void require(bool kept, std::string_view words);
 
