@@ -87,7 +87,8 @@ test('a researcher moves between two functionals, reads the surface, and passes 
   expect(samples.map(([evaluation]) => evaluation)).toEqual(samples.map((_, i) => i + 1));
   expect(samples.flat().every(Number.isFinite)).toBe(true);
   const [level] = report.levels;
-  expect(Math.min(...samples.slice(-10).map(([, , energy]) => energy))).toBe(level.energy);
+  // A level that goes on with a finer quadrature rule has higher energies from there on, so the last need not be the least.
+  expect(samples.slice(-10).map(([, , energy]) => energy)).toContain(level.energy);
   const blended = 0.5 * report.energies.bending + 0.1 * report.energies.mvs_cross;
   expect(Math.abs(blended / level.energy_reported - 1)).toBeLessThan(1e-12);
 
