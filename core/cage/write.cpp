@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <utility>
 
 namespace umbilic {
 
@@ -73,12 +74,14 @@ class GroupChanges {
   }
 
  private:
-  /// The cage's groups, and its holes unless they are one of these.
+  /// The cage's groups, and its holes unless they are one of these. A name that another group has would join the two.
   static std::vector<FaceGroup> groups_and_holes(const Cage& cage) {
     std::vector<FaceGroup> groups = cage.groups;
-    const bool named =
-        std::any_of(groups.begin(), groups.end(), [&](const FaceGroup& group) { return group.faces == cage.holes; });
-    if (!cage.holes.empty() && !named) groups.push_back({std::string(kHoleGroup), cage.holes});
+    const auto has = [&](const auto& condition) { return std::any_of(groups.begin(), groups.end(), condition); };
+    if (cage.holes.empty() || has([&](const FaceGroup& group) { return group.faces == cage.holes; })) return groups;
+    std::string name(kHoleGroup);
+    while (has([&](const FaceGroup& group) { return group.name == name; })) name += '_';
+    groups.push_back({std::move(name), cage.holes});
     return groups;
   }
 

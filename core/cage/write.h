@@ -13,7 +13,8 @@
 
 namespace umbilic {
 
-/// The group that has a cage's holes, for which OBJ has no word.
+/// The group that has a cage's holes, for which OBJ has no word. With underscores behind it where another has this
+/// name.
 inline constexpr std::string_view kHoleGroup = "hole";
 
 /// With the cage's groups, and its holes as the group kHoleGroup. What is written reads back to the same cage, whose

@@ -6,7 +6,7 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { builtPage, openAddress, screenshots } from './page.js';
+import { builtPage, detailsCut, openAddress, screenshots } from './page.js';
 import { servedPage } from './served.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -321,13 +321,8 @@ describe('a picture', () => {
     expect(Number(/\d+/.exec(background)?.[0]) < 128).toBe(options.colorScheme === 'dark');
     if (options.hasTouch) expect(await page.getByRole('checkbox').first().isVisible()).toBe(true);
 
-    await page.goto(`${served.url}?entry=two-3.bending`);
-    const dialog = page.getByRole('dialog');
-    await dialog.waitFor();
-    await page.waitForLoadState('networkidle');
-    await page.screenshot({ path: path.join(screenshots, `catalog-details-${name}.png`) });
-    const cut = await dialog.locator('.content').evaluate((content) => content.scrollWidth - content.clientWidth);
-    expect(cut).toBeLessThanOrEqual(0);
+    const details = `${served.url}?entry=two-3.bending`;
+    expect(await detailsCut(page, details, `catalog-details-${name}`)).toBeLessThanOrEqual(0);
     expect(await overflow()).toBeLessThanOrEqual(0);
     expect(errors).toEqual([]);
     await page.context().close();

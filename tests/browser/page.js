@@ -70,6 +70,22 @@ export async function measured(page) {
   await page.locator('#energies tbody tr').first().waitFor();
 }
 
+/**
+ * Opens the details of an entry of the catalog and takes a picture of them.
+ * @param {Page} page
+ * @param {string} address
+ * @param {string} picture its name
+ * @returns {Promise<number>} the width that is cut off, in pixels; none if it is not positive
+ */
+export async function detailsCut(page, address, picture) {
+  await page.goto(address);
+  const dialog = page.getByRole('dialog');
+  await dialog.waitFor();
+  await page.waitForLoadState('networkidle');
+  await page.screenshot({ path: path.join(screenshots, `${picture}.png`) });
+  return dialog.locator('.content').evaluate((content) => content.scrollWidth - content.clientWidth);
+}
+
 /** Waits for a status that matches. @param {Page} page @param {RegExp} pattern @param {number} [timeout] */
 export async function status(page, pattern, timeout = 30_000) {
   await page.locator('#status').filter({ hasText: pattern }).waitFor({ timeout });

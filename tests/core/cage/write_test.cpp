@@ -49,6 +49,16 @@ TEST(WriteObj, holes_are_a_group_that_is_named_once) {
   EXPECT_EQ(again.groups[0].name, "beyond");
 }
 
+TEST(WriteObj, holes_do_not_join_a_group_of_their_name) {
+  Cage cage = generate_cage("n-sided", {.major_segments = 2}).value();
+  cage.groups.push_back({std::string(kHoleGroup), {0, 1}});
+  const Cage back = cage_of(write_obj(cage));
+  ASSERT_EQ(back.groups.size(), 2u);
+  for (const FaceGroup& group : back.groups) {
+    EXPECT_EQ(group.faces, group.name == kHoleGroup ? cage.groups[0].faces : cage.holes) << group.name;
+  }
+}
+
 TEST(WriteObj, decimals_are_the_shortest_that_do) {
   Cage cage = cage_of(tetrahedron_obj());
   cage.vertices(0, 0) = 0.1;
